@@ -393,7 +393,9 @@ TEST_F(GamesWithoutMemory, PartsThatBreakAreUnchangedOrLost) {
             EXPECT_EQ(code, out ? FIRMA_ERROR_NO_MEMORY : FIRMA_OK) << allocations;
             EXPECT_EQ(firma_live_handles(), held + (out ? 0 : 1)) << allocations;
             if (out) both.expect_same_or_lost(before);
-            if (!out) EXPECT_EQ(firma_world_release(after), FIRMA_OK);
+            if (!out) {
+                EXPECT_EQ(firma_world_release(after), FIRMA_OK);
+            }
             EXPECT_EQ(firma_parts_release(own), FIRMA_OK);
             if (HasFailure()) return;
             if (!out) {
