@@ -11,6 +11,7 @@
 #include "bindings/c/answers.h"
 #include "bindings/c/bodies_object.h"
 #include "bindings/c/convert.h"
+#include "bindings/c/numbers.h"
 #include "bindings/c/objects.h"
 
 namespace firma::c {
@@ -23,7 +24,6 @@ struct BodyShapeObject final : Object {
     const BodyShape shape;
 };
 
-constexpr const char* kNoBody = "there is no such body any more";
 constexpr int kMaxSubsteps = 10'000, kMostBounces = 1'000;
 
 MassProperties mass_from(const firma_mass& from) {
@@ -45,26 +45,8 @@ void put_mass_of(const MassProperties& from, firma_mass& to) {
             to.inertia[3 * row + column] = from.inertia[std::size_t(row)][column];
 }
 
-bool is_above_zero(double number) {
-    return is_finite(number) && number > 0;
-}
-
-bool is_not_below_zero(double number) {
-    return is_finite(number) && number >= 0;
-}
-
-bool is_rotation(const double (&turned)[4]) {
-    for (const double part : turned)
-        if (!is_finite(part)) return false;
-    return turned[0] != 0 || turned[1] != 0 || turned[2] != 0 || turned[3] != 0;
-}
-
 bool is_there(const Body& body) {
     return body.shape.valid();
-}
-
-BodyId id_of(firma_body_id id) {
-    return {id.slot, id.use};
 }
 
 /// What all that asks of one body begins with: the list and the body.
@@ -74,7 +56,7 @@ firma_code ask_of_body(firma_bodies bodies, firma_body_id id, const char* functi
     BodiesObject* const object = find_bodies(bodies, code, function);
     if (!object) return code;
     Body* const body = object->bodies.find(id_of(id));
-    if (!body) return fail(FIRMA_ERROR_INVALID, function, kNoBody);
+    if (!body) return fail(FIRMA_ERROR_INVALID, function, kNoSuchBody);
     return work(object->bodies, *body);
 }
 
@@ -128,17 +110,6 @@ firma_code add_body_here(firma_bodies bodies, const Result<Body>& made, firma_bo
     return FIRMA_OK;
 }
 
-firma_code read_fit(const firma_fit_options* given, FitOptions& fit, const char* function) {
-    if (!given) return FIRMA_OK;
-    if (!sized(given)) return bad_call(function, kWrongSize);
-    firma_fit_options whole{};
-    take_sized(given, whole);
-    if (whole.max_spheres) fit.max_spheres = whole.max_spheres;
-    fit.max_error = whole.max_error;
-    fit.margin = whole.margin;
-    return FIRMA_OK;
-}
-
 firma_code read_step(const firma_step_options* given, StepOptions& step, const char* function) {
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
@@ -174,6 +145,18 @@ firma_body_contact contact_told(const BodyContact& from, const Bodies& bodies) {
 }
 
 }  // namespace
+
+firma_code read_fit(const firma_fit_options* given, FitOptions& fit, const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    firma_fit_options whole{};
+    take_sized(given, whole);
+    if (whole.max_spheres) fit.max_spheres = whole.max_spheres;
+    fit.max_error = whole.max_error;
+    fit.margin = whole.margin;
+    return FIRMA_OK;
+}
+
 }  // namespace firma::c
 
 using namespace firma;

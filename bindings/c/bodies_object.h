@@ -28,4 +28,13 @@ inline BodiesObject* find_bodies(firma_bodies bodies, firma_code& code, const ch
     return nullptr;
 }
 
+inline BodyId id_of(firma_body_id id) {
+    return {id.slot, id.use};
+}
+
+inline constexpr const char* kNoSuchBody = "there is no such body any more";
+
+/// How spheres are fitted, as a caller has it; null gives the defaults.
+firma_code read_fit(const firma_fit_options* given, FitOptions& fit, const char* function);
+
 }  // namespace firma::c

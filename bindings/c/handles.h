@@ -31,7 +31,10 @@ enum class Kind : std::uint8_t {
     kPlayerShape,
     kBodyShape,
     kBodies,
-    kShotEvents
+    kShotEvents,
+    kPiercing,
+    kDebris,
+    kSupports
 };
 
 /// What a handle may stand for; deleted when it is released.

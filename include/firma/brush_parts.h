@@ -32,8 +32,12 @@ struct BrushPart {
     WhenBlocked when_blocked = WhenBlocked::kStops;
     /// Set off by touch, use or trigger: `path` is of the time since then. Else `path` is of the level's time.
     bool waits_for_trigger = false;
-    bool breaks = false;  ///< to be destroyed: func_breakable, func_explosive
-    double health = 0;    ///< of one that breaks, by its author's measure; 0 where he gives none
+    bool breaks = false;  ///< to be destroyed: func_breakable, func_explosive (break_parts.h)
+    /// Of one that breaks, by its author's measure: 100 where he gives none. 0: a trigger alone breaks it, as it has a
+    /// targetname, or he says so.
+    double health = 0;
+    double damage = 0;     ///< of the explosion that it makes when it breaks, likewise; 0: none
+    std::string matter{};  ///< that its author names: keys `type`, `material`; "": that of its textures
 };
 
 /// What became of the level's entities.

@@ -31,6 +31,7 @@ struct DebrisPiece {
     double age = 0;             ///< seconds, since it is a body of its own
     double asleep_for = 0;      ///< seconds
     bool never_ground = false;  ///< it was to become ground, and could not
+    bool of_part = false;       ///< it came off a part of the level: no place of the level's says what it is made of
 };
 
 /// By slot of the bodies. Slots of bodies without a solid hold a piece without faces, or are not there.
@@ -68,6 +69,8 @@ struct ShatterOptions {
     /// solid: a body that rests lies a little in the ground, where it has no spheres, and so do its pieces. Null: all
     /// are of the body's matter, and as dense, and their spheres may be in the ground.
     const World* world = nullptr;
+    /// The part's own world, of one that came off a part: says what its pieces are of, in place of `world`.
+    const World* part = nullptr;
 };
 
 /// What a body broke into.

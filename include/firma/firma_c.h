@@ -3,9 +3,10 @@
  * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies, shot events or bytes is a handle: a struct with a number
- * that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released, never made,
- * or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports or bytes is a
+ * handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle
+ * that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
+ * Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -23,9 +24,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays, parts, bodies and shot events are for one thread at a time; parts and bodies that nobody
- * changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor may release
- * the world that it is shown.)
+ * edits, logs, replays, parts, bodies, debris, piercings and shot events are for one thread at a time; parts and bodies
+ * that nobody changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor
+ * may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -182,6 +183,15 @@ typedef struct firma_bodies {
 typedef struct firma_shot_events {
     uint64_t id;
 } firma_shot_events;
+typedef struct firma_piercing {
+    uint64_t id;
+} firma_piercing;
+typedef struct firma_debris {
+    uint64_t id;
+} firma_debris;
+typedef struct firma_supports {
+    uint64_t id;
+} firma_supports;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1727,6 +1737,539 @@ FIRMA_API firma_code firma_fly(firma_projectile* projectiles, size_t count, firm
                                firma_fly_report* report);
 /* A hash of all that the next steps depend on. FIRMA_ERROR_INVALID for a state that is none. */
 FIRMA_API firma_code firma_projectiles_hash(const firma_projectile* projectiles, size_t count, uint64_t* hash);
+
+/* ---- what a path goes through ----------------------------------------------------------------------------------- */
+
+/* Where a path goes into solid, or comes out. */
+typedef struct firma_pierce_end {
+    double fraction;  /* of the path */
+    double point[3];  /* metres, on the path */
+    double normal[3]; /* unit, of the face, out of the solid; zero where there is none */
+    uint32_t face;    /* FIRMA_NO_FACE where the path starts or ends in the solid, and of a closed portal */
+    int32_t corner[3];
+    uint32_t material;
+    uint32_t reserved;
+} firma_pierce_end;
+
+/* A stretch of solid that a path goes through, or a pane, which has no thickness. */
+typedef struct firma_pierce_span {
+    firma_pierce_end in, out; /* of a pane the same */
+    double thickness;         /* metres along the path */
+    uint32_t first_length;    /* in firma_piercing_view.lengths */
+    uint32_t length_count;    /* 0 of panes, and where matters were not asked for */
+    uint32_t portal;          /* a closed one, or FIRMA_NO_PORTAL */
+    uint32_t pane;            /* 1: a face that bounds no solid, or a closed portal */
+    uint32_t starts_inside;   /* 1: the path starts in this solid */
+    uint32_t ends_inside;     /* 1: and ends in it */
+} firma_pierce_span;
+
+typedef struct firma_piercing_view {
+    uint32_t size; /* sizeof(firma_piercing_view) */
+    uint32_t reserved;
+    const firma_pierce_span* spans; /* by the fraction at which they begin */
+    size_t span_count;
+    const firma_shot_length* lengths; /* of all stretches in a row: what is of one matter, in fractions of the path */
+    size_t length_count;
+    double thickness; /* metres of solid in all that is told */
+} firma_piercing_view;
+
+/* A null pointer takes the defaults. */
+typedef struct firma_pierce_options {
+    uint32_t size;       /* sizeof(firma_pierce_options) */
+    uint32_t mask;       /* panes that share a bit are told, and stretches whose face where the path goes in does */
+    uint32_t both_sides; /* 1: panes are met from behind, too; 0 */
+    uint32_t no_panes;   /* 1: panes are left out; 0 */
+    uint32_t no_matters; /* 1: what stretches are of is not asked; 0 */
+    uint32_t reserved;   /* must be 0 */
+} firma_pierce_options;
+
+FIRMA_API void firma_pierce_options_defaults(firma_pierce_options* options);
+/* Where firma_pierce() puts what it finds; made once, used again. */
+FIRMA_API firma_code firma_piercing_create(firma_piercing* piercing);
+/* Of the last call that was made with it; good until the next one, or its release. */
+FIRMA_API firma_code firma_piercing_get_view(firma_piercing piercing, firma_piercing_view* view);
+FIRMA_API firma_code firma_piercing_release(firma_piercing piercing);
+/* All solid that a straight path goes through, and the panes: docs/projectiles.md has the contract. `status` gets a
+ * firma_status: FIRMA_INITIAL_OVERLAP when the path starts in solid that is told, FIRMA_HIT when it meets anything,
+ * FIRMA_MISS when not. FIRMA_ERROR_OUT_OF_RANGE for a number that is not finite or too large: what was found before
+ * stays. Takes memory only to hold more than before. Costs a cast of all that the path meets. */
+FIRMA_API firma_code firma_pierce(firma_world world, const double start[3], const double path[3],
+                                  const firma_pierce_options* options, firma_piercing piercing, uint32_t* status);
+
+/* ---- fracture and debris ---------------------------------------------------------------------------------------- */
+
+/* Solids broken into pieces exactly, and bodies that know their solids: they break, lie about, become ground again.
+ * docs/debris.md. */
+
+typedef enum firma_crack_style {
+    FIRMA_CRACK_LUMPS = 0,  /* across the longest way through each piece, crooked: concrete, rock, splinters */
+    FIRMA_CRACK_BRICKS = 1, /* rows along z, every other row half a brick on */
+    FIRMA_CRACK_SHARDS = 2  /* away from the point of impact, around z, and across these: glass */
+} firma_crack_style;
+
+/* What pieces look like. firma_fracture_pattern_of() has one for each matter. */
+typedef struct firma_fracture_pattern {
+    uint32_t size;             /* sizeof(firma_fracture_pattern) */
+    uint32_t style;            /* firma_crack_style */
+    double size_of_piece[3];   /* metres, > 0, along the pattern's axes; of shards x is how far apart cracks around the
+                                  impact are, y how wide a shard is */
+    double growth;             /* by how much of itself a piece is larger a metre from the impact, >= 0 */
+    double crooked;            /* 0 to 1 */
+    uint32_t has_axes;         /* 1: `axes` counts; 0: found from the solid's flat sides */
+    uint32_t has_brick_corner; /* 1: `brick_corner` counts; 0: the low corner of the solid */
+    double axes[4];            /* x, y, z, w: the pattern's axes in the solid's frame */
+    double brick_corner[3];    /* a corner of a brick of an even row */
+} firma_fracture_pattern;
+
+/* How a matter of a world breaks. FIRMA_ERROR_INVALID for a matter that the world does not have. */
+FIRMA_API firma_code firma_fracture_pattern_of(firma_world world, uint32_t matter, firma_fracture_pattern* pattern);
+
+/* A null pointer, and zeros, take the defaults. */
+typedef struct firma_fracture_options {
+    uint32_t size;       /* sizeof(firma_fracture_options) */
+    uint32_t max_pieces; /* 1 to 4,096; 0: 32. Cracks end when there are so many */
+    uint32_t material;   /* of the faces along cracks; 0 */
+    uint32_t has_impact; /* 1: `impact` counts */
+    double impact[3];    /* metres: where pieces are smallest; of a world in its frame, of a body in the world */
+    double min_volume;   /* cubic metres: a piece of less is not divided, and of a body it becomes dust; 0: 0.001 */
+    double density;      /* kilograms a cubic metre; 0: 2,400. Of a body its own counts */
+    uint64_t seed;       /* of crooked cracks; 0: 1 */
+} firma_fracture_options;
+
+/* Breaks the solid of a world, of a chunk say (firma_chunks_world()), into pieces that fill it exactly: chunks in its
+ * frame, with origin 0, their matters not told. FIRMA_ERROR_INVALID for a world without solid or with rock outside, and
+ * for a pattern or options out of range; FIRMA_ERROR_OUT_OF_RANGE at the world's rim. The same bits on every machine.
+ * Costs two subtractions a crack. */
+FIRMA_API firma_code firma_world_fracture(firma_world world, const firma_fracture_pattern* pattern,
+                                          const firma_fracture_options* options, firma_chunks* pieces);
+
+/* What bodies are made of, by the slots of a firma_bodies; each call is given both. A copy of both is a snapshot. As
+ * with bodies: where memory runs out within a call that changes them, both are lost. */
+FIRMA_API firma_code firma_debris_create(firma_debris* debris);
+FIRMA_API firma_code firma_debris_copy(firma_debris debris, firma_debris* copy);
+FIRMA_API firma_code firma_debris_release(firma_debris debris);
+FIRMA_API firma_code firma_debris_hash(firma_debris debris, uint64_t* hash);
+
+/* A chunk as a body at rest where it came loose, that knows its solid. As firma_bodies_add_chunk(). */
+FIRMA_API firma_code firma_debris_add_chunk(firma_debris debris, firma_bodies bodies, firma_chunks chunks, size_t chunk,
+                                            const firma_fit_options* fit, firma_body_id* id);
+
+typedef struct firma_debris_piece {
+    uint32_t size;         /* sizeof(firma_debris_piece) */
+    uint32_t matter;       /* what it is most of: its number in the world that it came from */
+    double origin[3];      /* metres: where its frame's origin lay there */
+    double age;            /* seconds, since it is a body of its own */
+    double asleep_for;     /* seconds */
+    uint64_t face_count;   /* of its solid */
+    uint32_t broken;       /* how often what it was part of broke since it left the world */
+    uint32_t never_ground; /* 1: it was to become ground, and could not */
+    uint32_t of_part;      /* 1: it came off a part of the level */
+    uint32_t reserved;
+} firma_debris_piece;
+
+/* FIRMA_ERROR_INVALID for a body that is not there, or is no debris; likewise below. */
+FIRMA_API firma_code firma_debris_get(firma_debris debris, firma_bodies bodies, firma_body_id id,
+                                      firma_debris_piece* piece);
+/* Its solid as a world of one room, in the frame of the body's shape: to draw at firma_bodies_get_pose(). Materials
+ * have no names there: their numbers are those of the world that it came from. Costs a look at each of its faces. */
+FIRMA_API firma_code firma_debris_world(firma_debris debris, firma_bodies bodies, firma_body_id id, firma_world* world);
+/* Takes the body out, too. */
+FIRMA_API firma_code firma_debris_remove(firma_debris debris, firma_bodies bodies, firma_body_id id);
+
+typedef enum firma_debris_list {
+    FIRMA_DEBRIS_LOOSE = 0,    /* bodies of what came loose, and of its pieces */
+    FIRMA_DEBRIS_PIECES = 1,   /* pieces of what broke */
+    FIRMA_DEBRIS_REMOVED = 2,  /* that went */
+    FIRMA_DEBRIS_TO_GROUND = 3 /* that became ground */
+} firma_debris_list;
+
+/* Bodies that the last firma_shatter(), firma_explode(), firma_debris_tend(), firma_parts_break() or
+ * firma_parts_carve() with this debris named: `count` gets how many, the first `capacity` are written. Lists that the
+ * call does not fill are empty. FIRMA_ERROR_INVALID for a list that is none. */
+FIRMA_API firma_code firma_debris_named(firma_debris debris, uint32_t list, firma_body_id* ids, size_t capacity,
+                                        size_t* count);
+
+/* A null pointer, and zeros, take the defaults. */
+typedef struct firma_shatter_options {
+    uint32_t size;        /* sizeof(firma_shatter_options) */
+    uint32_t max_spheres; /* of a piece, 1 to 4,096; 0: 12 */
+    firma_world world; /* the world that it lies in, of the level that it came from: each piece is of the matter of its
+                          place there, its spheres keep clear of what is solid. 0: all are of the body's matter */
+} firma_shatter_options;
+
+typedef struct firma_shattered {
+    uint32_t size; /* sizeof(firma_shattered) */
+    uint32_t reserved;
+    uint64_t pieces;                 /* FIRMA_DEBRIS_PIECES names them; the body itself where nothing divided it */
+    uint64_t dust;                   /* pieces too small to be bodies, or without room for a sphere, or buried */
+    uint64_t cracks, refused;        /* planes that divided something, and that could not be cut */
+    double dust_mass;                /* kilograms */
+    double dust_momentum[3];         /* newton seconds */
+    double dust_angular_momentum[3]; /* newton metre seconds, about where the body's centre of mass was */
+} firma_shattered;
+
+/* Breaks a body: its pieces take its place, and keep its momentum and angular momentum. `fracture`, `options` and
+ * `report` may be null. Errors as firma_world_fracture(): then all is as it was. */
+FIRMA_API firma_code firma_shatter(firma_debris debris, firma_bodies bodies, firma_body_id id,
+                                   const firma_fracture_pattern* pattern, const firma_fracture_options* fracture,
+                                   const firma_shatter_options* options, firma_shattered* report);
+
+/* How much debris a game keeps. firma_debris_rules_defaults() sets all; a null pointer takes the same. */
+typedef struct firma_debris_rules {
+    uint32_t size;            /* sizeof(firma_debris_rules) */
+    uint32_t to_ground;       /* 1: sleepers become part of the world instead of going; 0 */
+    uint64_t max_bodies;      /* 256 */
+    uint64_t max_spheres;     /* of all debris together; 4,096 */
+    double max_age;           /* seconds: what is older goes, asleep or not; INFINITY: nothing for its age alone */
+    double max_asleep;        /* seconds; 20 */
+    uint64_t max_to_ground;   /* a call: each is an edit of the world; 1 */
+    double min_to_ground;     /* cubic metres: what is less goes; 0.01 */
+    double max_overlap;       /* metres: so deep another body may be in what becomes ground; 0.02 */
+    const double* keep_clear; /* spheres in the world that stay clear, players say: x, y, z, radius each; may be null */
+    size_t keep_clear_count;
+} firma_debris_rules;
+
+FIRMA_API void firma_debris_rules_defaults(firma_debris_rules* rules);
+
+typedef struct firma_debris_report {
+    uint32_t size; /* sizeof(firma_debris_report) */
+    uint32_t reserved;
+    uint64_t removed;   /* FIRMA_DEBRIS_REMOVED */
+    uint64_t to_ground; /* FIRMA_DEBRIS_TO_GROUND: each an edit, firma_debris_fill() */
+    uint64_t refused;   /* that could not become ground */
+    uint64_t waiting;   /* that wait, as a body or a player is in the way, or for another call */
+} firma_debris_report;
+
+/* Lets debris age, and keeps it within rules: once a frame, after firma_bodies_step(). `after` gets the world after all
+ * that became ground. FIRMA_ERROR_OUT_OF_RANGE for seconds that are not finite, or negative, and for rules that are not
+ * a number, or negative. */
+FIRMA_API firma_code firma_debris_tend(firma_debris debris, firma_bodies bodies, firma_world world, double seconds,
+                                       const firma_debris_rules* rules, firma_world* after,
+                                       firma_debris_report* report);
+/* One of the edits of the last firma_debris_tend(): firma_carve() with `fill`, this cutter, this pose and `material`
+ * makes it again, for a log. The name is good as long as that world, or one that came of it. FIRMA_ERROR_OUT_OF_RANGE
+ * for one that is not there. */
+FIRMA_API firma_code firma_debris_fill(firma_debris debris, size_t fill, firma_cutter* cutter, firma_pose* pose,
+                                       const char** material);
+
+/* ---- blasts ----------------------------------------------------------------------------------------------------- */
+
+typedef struct firma_blast {
+    uint32_t size; /* sizeof(firma_blast) */
+    uint32_t reserved;
+    double at[3];   /* metres */
+    double radius;  /* metres, > 0: nothing is felt from there on; 6 */
+    double impulse; /* newton seconds a square metre that faces it, at `at`; >= 0; 3,000 */
+} firma_blast;
+
+/* At the origin. */
+FIRMA_API void firma_blast_defaults(firma_blast* blast);
+
+/* What is left of it at a distance: (1 - distance / radius)^2, 0 from the radius on. FIRMA_ERROR_OUT_OF_RANGE for a
+ * blast that is not finite or out of range, here and below. */
+FIRMA_API firma_code firma_blast_share(const firma_blast* blast, double distance, double* share);
+/* Newton seconds that it gives to `area` square metres at a point, of which a share `seen` (0 to 1) is not covered. */
+FIRMA_API firma_code firma_blast_impulse(const firma_blast* blast, const double point[3], double area, double seen,
+                                         double impulse[3]);
+/* The share of spheres (x, y, z, radius each) that is seen from a point: five rays a sphere; closed portals and the
+ * fronts of faces that share a bit with `mask` cover. 0 for none. Takes memory for a copy of the spheres. */
+FIRMA_API firma_code firma_exposure(firma_world world, const double from[3], const double* spheres, size_t count,
+                                    uint32_t mask, double* seen);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_push_options {
+    uint32_t size;    /* sizeof(firma_push_options) */
+    uint32_t mask;    /* faces that stop a blast; UINT32_MAX */
+    double max_speed; /* metres a second: a push gives no body more; INFINITY is no limit; 30 */
+} firma_push_options;
+
+FIRMA_API void firma_push_options_defaults(firma_push_options* options);
+
+typedef struct firma_push_report {
+    uint32_t size; /* sizeof(firma_push_report) */
+    uint32_t reserved;
+    uint64_t reached; /* bodies with a sphere within the radius */
+    uint64_t pushed;  /* of these, that were not wholly covered; they wake */
+} firma_push_report;
+
+/* Pushes all bodies near a blast, weaker farther away, and by what stands before them. `report` may be null. */
+FIRMA_API firma_code firma_blast_push(firma_world world, firma_bodies bodies, const firma_blast* blast,
+                                      const firma_push_options* options, firma_push_report* report);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_explode_options {
+    uint32_t size;                    /* sizeof(firma_explode_options) */
+    uint32_t max_broken;              /* what broke so often does not break again; 3 */
+    uint32_t max_pieces;              /* that a body breaks into at most, 1 to 4,096; 12 */
+    uint32_t max_spheres;             /* of a piece, and of what comes loose, 1 to 4,096; 12 */
+    double break_radius;              /* metres around the blast: what is seen in it breaks; 0: nothing does; 3 */
+    double min_volume;                /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;                    /* 1 */
+    const firma_carve_options* carve; /* of the crater; null: the defaults, with `chunks` */
+    firma_push_options push;
+} firma_explode_options;
+
+FIRMA_API void firma_explode_options_defaults(firma_explode_options* options);
+
+typedef struct firma_explosion {
+    uint32_t size;    /* sizeof(firma_explosion) */
+    uint32_t status;  /* firma_carve_status of the crater; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint64_t loose;   /* FIRMA_DEBRIS_LOOSE */
+    uint64_t pieces;  /* FIRMA_DEBRIS_PIECES: of debris that broke */
+    uint64_t broken;  /* bodies that broke, of both */
+    uint64_t unfit;   /* chunks that could not be bodies: lost */
+    uint64_t dust;    /* pieces too small to be bodies */
+    double dust_mass; /* kilograms */
+    uint64_t reached, pushed; /* as in firma_push_report */
+    firma_carve_report carve; /* filled where its own `size` is set; its `loose` is 0 */
+} firma_explosion;
+
+/* A blast in one call: the crater; what comes loose becomes debris and breaks as its matter does; debris near it that
+ * it sees breaks; then all bodies near it are pushed. A cutter of 0 carves nothing. Where the crater is refused all
+ * else happens. `options` and `report` may be null. Errors of firma_carve() and firma_blast_push(). */
+FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bodies,
+                                   const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
+                                   const firma_explode_options* options, firma_world* after, firma_explosion* report);
+
+/* ---- parts of levels -------------------------------------------------------------------------------------------- */
+
+/* A place on a part's way. */
+typedef struct firma_part_stop {
+    double position[3]; /* of the part's frame, metres */
+    double angle;       /* radians about the path's axis */
+    double wait;    /* seconds that it stands here; INFINITY: it goes no further. At the first stop it comes first */
+    double seconds; /* to the next stop, or from the last to the first; not above 0: it is there at once */
+} firma_part_stop;
+
+/* How a part moves by time: stops in turn, a swing, a spin. Pure data; no call changes it. */
+typedef struct firma_part_path {
+    uint32_t size;                /* sizeof(firma_part_path) */
+    uint32_t repeats;             /* 1: goes round for ever; 0: once round, and rests at the first stop */
+    const firma_part_stop* stops; /* may be null when the count is 0: it stands at the origin */
+    size_t stop_count;            /* at most 65,536 */
+    double rotation[4];           /* x, y, z, w, at angle 0 */
+    double axis[3];               /* unit, in the world's axes, of all angles; 0, 0, 1 */
+    double spin;                  /* radians a second about it */
+    double swing_reach[3];        /* metres, to each side of the middle */
+    double swing_angle;           /* radians about the axis, likewise */
+    double swing_period;          /* seconds of a whole cycle; not above 0: none */
+    double swing_phase;           /* of a cycle, at time 0 */
+} firma_part_path;
+
+FIRMA_API void firma_part_path_defaults(firma_part_path* path);
+/* Where a part is at a time; before 0 it stands at its first stop, but for swing and spin. FIRMA_ERROR_OUT_OF_RANGE for
+ * a time, place or spin that is not finite, here and below. All of these cost a copy of the stops. */
+FIRMA_API firma_code firma_part_path_pose(const firma_part_path* path, double seconds, firma_pose* pose);
+/* From one time to another, for firma_parts_set_motions(): both ends are exact, between them it goes evenly. */
+FIRMA_API firma_code firma_part_path_motion(const firma_part_path* path, double from, double to, firma_motion* motion);
+/* The first time after `seconds` at which it arrives at, or leaves, a stop; INFINITY where there is none. */
+FIRMA_API firma_code firma_part_path_next_stop(const firma_part_path* path, double seconds, double* next);
+/* 1 where it stands at its first stop: a door that is shut. */
+FIRMA_API firma_code firma_part_path_at_first_stop(const firma_part_path* path, double seconds, uint32_t* is_there);
+
+/* A part of each entity of a level that moves and has brushes, as they stand at time 0: docs/moving.md says which
+ * classes and keys. Entities that make none, or not what their author meant, are noted. Errors as
+ * firma_world_from_level(). Costs what joining all these brushes costs. */
+FIRMA_API firma_code firma_parts_from_level(firma_level level, const firma_world_options* options, firma_parts* parts);
+
+typedef enum firma_when_blocked {
+    FIRMA_BLOCKED_STOPS = 0,   /* waits where it is: trains, blades */
+    FIRMA_BLOCKED_RETURNS = 1, /* goes back: doors, lifts */
+    FIRMA_BLOCKED_CRUSHES = 2  /* goes on, and what is in the way is hurt, or out of the way */
+} firma_when_blocked;
+
+typedef struct firma_part_info {
+    uint32_t size;              /* sizeof(firma_part_info) */
+    uint32_t entity;            /* number in firma_level_view.entities; FIRMA_NO_PART of one that no level made */
+    uint32_t when_blocked;      /* firma_when_blocked */
+    uint32_t waits_for_trigger; /* 1: its path is of the time since it is set off; 0: of the level's time */
+    uint32_t breaks;            /* 1: to be destroyed: firma_parts_breakable() */
+    uint32_t mask;
+    double low[3], high[3]; /* bounds of its solid in its frame, metres; low > high for one without faces */
+    uint64_t face_count;
+    firma_motion motion;
+} firma_part_info;
+
+/* FIRMA_ERROR_OUT_OF_RANGE for a part that is not there, here and below. */
+FIRMA_API firma_code firma_parts_get(firma_parts parts, uint32_t index, firma_part_info* info);
+/* The path that a level gave it; of others one that stands at the origin. Its stops are good until the handle is
+ * released, or a part added. */
+FIRMA_API firma_code firma_parts_path(firma_parts parts, uint32_t index, firma_part_path* path);
+/* Its solid, in its frame. */
+FIRMA_API firma_code firma_parts_world(firma_parts parts, uint32_t index, firma_world* world);
+/* What making the parts of a level noted: `count` gets how many; the first `capacity` entities and texts are written,
+ * where the pointers are not null. Texts are good until the handle is released. */
+FIRMA_API firma_code firma_parts_notes(firma_parts parts, uint32_t* entities, const char** notes, size_t capacity,
+                                       size_t* count);
+/* The portals that a part closes where its motion begins, ascending; `count` gets how many, the first `capacity` are
+ * written. For a door that is shut: firma_world_set_portal_open(). */
+FIRMA_API firma_code firma_parts_portals(firma_parts parts, uint32_t index, firma_world level, uint32_t* portals,
+                                         size_t capacity, size_t* count);
+/* A pose of the world as a part sees it at a fraction of its motion: where to carve its solid. */
+FIRMA_API firma_code firma_parts_pose_in(firma_parts parts, uint32_t index, double fraction, const firma_pose* pose,
+                                         firma_pose* seen);
+
+/* ---- parts that break ------------------------------------------------------------------------------------------- */
+
+/* In place of a matter: that which its textures say. */
+#define FIRMA_NO_MATTER UINT32_MAX
+
+/* What a part bears, and what is left of that: kept by the caller. */
+typedef struct firma_breakable {
+    uint32_t size;    /* sizeof(firma_breakable) */
+    uint32_t matter;  /* of all of it, or FIRMA_NO_MATTER */
+    double health;    /* what is left, by its author's measure; not above 0: nothing hurts it */
+    double whole;     /* cubic metres of its solid before anything was taken of it */
+    double max_taken; /* of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never; 0.5 */
+    double damage;    /* of the explosion that it makes, by its author's measure */
+    uint32_t broken;  /* 1: it is */
+    uint32_t reserved;
+} firma_breakable;
+
+/* Of a part, as its level has it; of one that no level made with a health of 0. Costs its faces. */
+FIRMA_API firma_code firma_parts_breakable(firma_parts parts, uint32_t index, firma_breakable* breakable);
+/* Takes from its health; `breaks` gets 1 where this breaks it: call firma_parts_break(). FIRMA_ERROR_OUT_OF_RANGE for a
+ * damage that is not finite, or negative. */
+FIRMA_API firma_code firma_breakable_hurt(firma_breakable* breakable, double damage, uint32_t* breaks);
+/* The share of a blast that a part feels at its nearest point; 0 where the level stands before that. */
+FIRMA_API firma_code firma_parts_blast_felt(firma_parts parts, uint32_t index, firma_world level,
+                                            const firma_blast* blast, double fraction, double* share);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_break_options {
+    uint32_t size;           /* sizeof(firma_break_options) */
+    uint32_t max_pieces;     /* of each connected piece, at most; 1 to 4,096; 12 */
+    uint32_t max_spheres;    /* of a piece; 1 to 4,096; 12 */
+    uint32_t unbroken;       /* 1: it falls as it is; 0 */
+    uint32_t has_impact;     /* 1: `impact` counts; 0 */
+    uint32_t reserved;       /* must be 0 */
+    double impact[3];        /* in the world, metres: pieces are smallest there */
+    double fraction;         /* of the part's motion, 0 to 1, where it breaks; 0 */
+    double seconds;          /* that its motion takes: pieces go on as it went; 0: they begin at rest */
+    double min_volume;       /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;           /* 1 */
+    const uint32_t* portals; /* opened as well as those that it covers: that it closed when it was whole; may be null */
+    size_t portal_count;
+} firma_break_options;
+
+FIRMA_API void firma_break_options_defaults(firma_break_options* options);
+
+typedef struct firma_break_report {
+    uint32_t size; /* sizeof(firma_break_report) */
+    uint32_t reserved;
+    uint64_t pieces;  /* FIRMA_DEBRIS_PIECES */
+    uint64_t unfit;   /* pieces of its solid that could be no bodies: lost */
+    uint64_t dust;    /* pieces too small to be bodies */
+    double dust_mass; /* kilograms */
+    uint64_t opened;  /* portals that it closed, and that are open now */
+} firma_break_report;
+
+/* Breaks a part: its pieces become debris where it stands. The part keeps its number, without a face; the portals that
+ * it closed are opened in `after`. `breakable` becomes broken; it, `options` and `report` may be null. A part without
+ * solid breaks into nothing. */
+FIRMA_API firma_code firma_parts_break(firma_parts parts, uint32_t index, firma_world level, firma_breakable* breakable,
+                                       firma_debris debris, firma_bodies bodies, const firma_break_options* options,
+                                       firma_world* after, firma_break_report* report);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_part_cut_options {
+    uint32_t size; /* sizeof(firma_part_cut_options) */
+    uint32_t
+        hold_largest; /* 0: the level's faces hold what touches them; 1: the largest piece is held, by what moves it */
+    double touch;     /* metres within which a face holds; 1/32 */
+    const firma_carve_options* carve; /* of the cut; null: the defaults */
+    firma_break_options pieces;
+} firma_part_cut_options;
+
+FIRMA_API void firma_part_cut_options_defaults(firma_part_cut_options* options);
+
+typedef struct firma_part_cut {
+    uint32_t size;   /* sizeof(firma_part_cut) */
+    uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint64_t loose;  /* FIRMA_DEBRIS_LOOSE: what the cut left that nothing holds, unbroken */
+    uint64_t unfit;  /* such pieces that could be no bodies: lost */
+    uint32_t broke;  /* 1: what was left broke or fell: FIRMA_DEBRIS_PIECES, and `rest` */
+    uint32_t reserved;
+    double volume;   /* cubic metres that the cutter took */
+    uint64_t opened; /* portals that it closed before, and that are open now: it has a hole there, or it broke */
+    firma_break_report rest; /* filled where its own `size` is set */
+} firma_part_cut;
+
+/* Carves a part where it stands. Pieces that nothing holds become bodies; where more than max_taken was taken, or
+ * nothing holds any of it, the rest goes as by firma_parts_break(). `pose`: of the cutter, in the world. `breakable`,
+ * `options` and `report` may be null. Errors of firma_carve(). */
+FIRMA_API firma_code firma_parts_carve(firma_parts parts, uint32_t index, firma_world level, firma_breakable* breakable,
+                                       firma_cutter cutter, const firma_pose* pose, firma_debris debris,
+                                       firma_bodies bodies, const firma_part_cut_options* options, firma_world* after,
+                                       firma_part_cut* report);
+
+/* ---- what faces hold -------------------------------------------------------------------------------------------- */
+
+typedef enum firma_support_kind {
+    FIRMA_SUPPORT_TOUCHES = 0, /* whatever faces its sides touch */
+    FIRMA_SUPPORT_STANDS = 1,  /* it is put down first; then what is below it */
+    FIRMA_SUPPORT_HANGS = 2    /* whatever faces are as near as the nearest */
+} firma_support_kind;
+
+/* Something that faces may hold: docs/support.md. */
+typedef struct firma_supported {
+    uint32_t entity; /* the caller's number for it */
+    uint32_t kind;   /* firma_support_kind */
+    double low[3];   /* a box, metres */
+    double high[3];
+    double reach;      /* metres: from a side to what holds it; how far down; how far around */
+    uint32_t mask;     /* faces that share a bit hold; 0: those that stop walkers */
+    uint32_t reserved; /* must be 0 */
+} firma_supported;
+
+/* What holds things. FIRMA_ERROR_INVALID, with the thing's number, for one that is not finite or out of range. Costs
+ * the faces near each. */
+FIRMA_API firma_code firma_supports_find(firma_world world, const firma_supported* things, size_t count,
+                                         firma_supports* supports);
+/* Of the entities of a level that something may hold: parts, what is put down, what hangs. `parts` is
+ * firma_parts_from_level() of it; 0: without them. */
+FIRMA_API firma_code firma_supports_from_level(firma_world world, firma_level level, firma_parts parts,
+                                               firma_supports* supports);
+
+typedef struct firma_support {
+    uint32_t size; /* sizeof(firma_support) */
+    uint32_t entity;
+    uint32_t kind; /* firma_support_kind */
+    uint32_t reserved;
+    uint64_t face_count; /* that hold it: firma_supports_faces() */
+    double area;         /* square metres that hold it; 0: nothing does */
+    double lowered;      /* metres that it stands below where it was given */
+} firma_support;
+
+FIRMA_API firma_code firma_supports_get_count(firma_supports supports, size_t* count);
+/* FIRMA_ERROR_OUT_OF_RANGE for one that is not there, here and below. */
+FIRMA_API firma_code firma_supports_get(firma_supports supports, size_t thing, firma_support* support);
+/* The ids of the faces that hold it, ascending, and the square metres of each; either may be null. */
+FIRMA_API firma_code firma_supports_faces(firma_supports supports, size_t thing, uint32_t* faces, double* areas,
+                                          size_t capacity, size_t* count);
+FIRMA_API firma_code firma_supports_release(firma_supports supports);
+
+typedef enum firma_support_loss {
+    FIRMA_SUPPORT_KEPT = 0, /* as much holds it as before, or more: other faces in place of those that went */
+    FIRMA_SUPPORT_LESS = 1,
+    FIRMA_SUPPORT_LOST = 2 /* nothing holds it any more */
+} firma_support_loss;
+
+typedef struct firma_support_change {
+    uint32_t thing; /* its number in the supports */
+    uint32_t entity;
+    uint32_t loss;        /* firma_support_loss */
+    uint32_t buried;      /* 1: its middle is in solid now: it was filled in */
+    uint64_t lost;        /* how many of the faces that held it went */
+    double before, after; /* square metres that hold it */
+} firma_support_change;
+
+/* The things whose supporting faces went or came between the world that `before` is of and another, by thing: `count`
+ * gets how many, the first `capacity` are written. `after` gets the supports in that world, and may be null. `was`: the
+ * world that `before` is of; with it only what is near the difference is searched; 0: all is. */
+FIRMA_API firma_code firma_supports_diff(firma_supports before, firma_world was, firma_world world,
+                                         firma_support_change* changes, size_t capacity, size_t* count,
+                                         firma_supports* after);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 

@@ -56,7 +56,7 @@ public:
     FIRMA_EXPORT PierceScratch& operator=(PierceScratch&& other) noexcept;
     FIRMA_EXPORT ~PierceScratch();
 
-    Data& data();
+    FIRMA_EXPORT Data& data();
 
 private:
     std::unique_ptr<Data> data_;  ///< null until it is used

@@ -4,6 +4,7 @@
 // func_explosive: Quake II source code, 2001, game/g_func.c, g_misc.c.
 #include "brush/part_paths.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -193,7 +194,11 @@ std::string train(const PathMaker& make) {
 std::string breakable(const PathMaker& make) {
     make.stand();
     make.part.breaks = true;
-    make.part.health = make.number("health", 0);
+    const double usual = make.entity.value("targetname").empty() ? 100 : 0;
+    make.part.health = std::max(make.number("health", usual), 0.0);
+    make.part.damage = std::max(make.number("dmg", 0), 0.0);
+    for (const std::string_view key : {"type", "material"})
+        if (make.part.matter.empty()) make.part.matter = make.entity.value(key);
     return "";
 }
 

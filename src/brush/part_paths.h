@@ -16,7 +16,7 @@ struct PartPlace {
     bool has_origin = false;
 };
 
-/// Fills path, when_blocked, waits_for_trigger, breaks and health.
+/// Fills path, when_blocked, waits_for_trigger, breaks, and what goes with it.
 /// @param part  its entity is set
 /// @return a note, or "": what is odd about it
 std::string put_path(const BrushLevel& level, const PartPlace& place, BrushPart& part);

@@ -52,7 +52,7 @@ std::uint64_t hash_debris(const Debris& debris) {
         hash.add(slot);
         hash.add(hash_solid(piece.solid));
         hash.add(piece.use, piece.matter);
-        hash.add(piece.broken, std::uint32_t(piece.never_ground));
+        hash.add(piece.broken, std::uint32_t(piece.never_ground) | std::uint32_t(piece.of_part) << 1);
         for (int axis = 0; axis < 3; ++axis) hash.add(piece.origin[axis]);
         hash.add(piece.age);
         hash.add(piece.asleep_for);

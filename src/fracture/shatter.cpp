@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "firma/debris.h"
-#include "firma/queries.h"
+#include "fracture/clear_spheres.h"
 #include "fracture/piece_spheres.h"
 
 namespace firma {
@@ -91,30 +91,10 @@ MotionOfAll motion_of(const Assembly& all, const Body& body, const Pose& pose, c
     return motion;
 }
 
-/// Of a sphere's radius: what less is left of is no sphere.
-constexpr double kLeastLeft = 0.25;
-
-/// What is left of spheres clear of the world.
-SphereSet clear_of(const World& world, const SphereSet& spheres, const Pose& pose, std::uint32_t mask) {
-    const TurnMatrix turn = matrix_of(pose.rotation);
-    NearOptions options;
-    options.mask = mask;
-    SphereSet clear;
-    for (Sphere sphere : spheres) {
-        const Vec3 centre = pose.position + turn * sphere.centre;
-        const NearFace near = closest(world, centre, sphere.radius, options);
-        if (near && near.distance < sphere.radius * kLeastLeft) continue;
-        if (locate(world.solid(), centre) == Where::kSolid) continue;
-        if (near) sphere.radius = std::min(sphere.radius, near.distance);
-        clear.push_back(sphere);
-    }
-    return clear;
-}
-
 Result<Body> body_of_piece(const FracturePiece& piece, const Body& whole, const Pose& pose,
                            const ShatterOptions& options) {
     SphereSet spheres = piece_spheres(piece.solid, options.max_spheres);
-    if (options.world) spheres = clear_of(*options.world, spheres, pose, whole.mask);
+    if (options.world) spheres = clear_spheres(*options.world, spheres, pose, whole.mask);
     const Result<BodyShape> shape = make_body_shape(spheres, piece.mass);
     if (!shape) return shape.error();
     Body body = body_at(shape.value(), pose);
@@ -151,7 +131,8 @@ Result<Shattered> shatter(Bodies& bodies, Debris& debris, BodyId id, const Fract
         result.pieces.push_back(id);
         return result;
     }
-    const std::vector<Part> parts = weighed(pieces, piece_of_whole, options.world);
+    const World* level = piece_of_whole.of_part ? nullptr : options.world;
+    const std::vector<Part> parts = weighed(pieces, piece_of_whole, options.part ? options.part : level);
     const MotionOfAll motion = motion_of(assembly_of(parts), whole, pose, turn);
     remove_debris(bodies, debris, id);
     for (const auto& [piece, matter] : parts) {
@@ -165,6 +146,7 @@ Result<Shattered> shatter(Bodies& bodies, Debris& debris, BodyId id, const Fract
                 part.matter = matter;
                 part.origin = piece_of_whole.origin;
                 part.broken = piece_of_whole.broken + 1;
+                part.of_part = piece_of_whole.of_part;
                 result.pieces.push_back(add_debris(bodies, debris, std::move(body).value(), std::move(part)));
                 continue;
             }

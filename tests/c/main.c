@@ -99,6 +99,9 @@ int main(int argc, char** argv) {
     test_chunks();
     test_bodies();
     test_projectiles();
+    test_debris();
+    test_level_parts();
+    test_supports();
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");
