@@ -31,7 +31,8 @@ enum class Kind : std::uint8_t {
     kPlayerShape,
     kBodyShape,
     kBodies,
-    kShotEvents
+    kShotEvents,
+    kConvexPieces
 };
 
 /// What a handle may stand for; deleted when it is released.
