@@ -37,8 +37,8 @@ struct ConvexFace {
 struct ConvexBody {
     /// Whether the piece is convex, exactly. If not, the corners and faces are those of its hull.
     bool exact = true;
-    /// The piece, convex, in the frame of the whole, of one that is exact. Its faces have the planes of faces of the
-    /// whole, bit for bit. Else without faces.
+    /// The piece, convex, in the frame of the whole, of one that is exact: two pieces that meet have one plane between
+    /// them, bit for bit. Else without faces.
     Solid solid;
     /// Rounded to the surface grid, by at most 3.3 um, metres: a corner that pieces share is the same in each. The
     /// hull of these is what another engine makes of them.
@@ -64,11 +64,11 @@ struct ConvexPieces {
 
 /// Divides a solid into convex pieces that fill it.
 ///
-/// What has reflex edges is divided by the plane of a face at one of them, again and again: by the one that resolves
-/// most of them and makes fewest two. Where it would cut what is convex there anyway, it does not; pieces that are
-/// convex together are merged, as long as there are any. All planes are those of the solid's faces, and all points
-/// those where they meet: so the pieces are the solid, exactly, none crosses another, and their exact volumes add up
-/// to its volume. Few pieces are not the fewest: to find these is NP-hard.
+/// What has reflex edges is divided by a plane through one of them, again and again: that of a face there, or one
+/// through two such edges whose ends lie on the input grid; by the one that resolves most and makes fewest two. Where
+/// it would cut what is convex there anyway, it does not; pieces that are convex together are merged, as long as there
+/// are any. All points are those where such planes meet: so the pieces are the solid, exactly, none crosses another,
+/// and their exact volumes add up to its volume. Few pieces are not the fewest: to find these is NP-hard.
 ///
 /// @param solid  a chunk, a piece, a mesh that make_solid() read: closed, without rock outside; of several bodies and
 ///               with hollows, if it has them

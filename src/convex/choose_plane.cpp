@@ -3,6 +3,7 @@
 #include "convex/choose_plane.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/sort.h"
 #include "convex/split_sides.h"
@@ -15,10 +16,40 @@ constexpr std::size_t kTries = 4;
 /// What an edge that is crossed counts, in edges that are resolved.
 constexpr double kCrossed = 1;
 
+/// Of more reflex edges no planes through two of them are looked for.
+constexpr std::size_t kMaxPaired = 64;
+
 struct ScoredPlane {
     PlaneId plane = kNoPlane;
     double score = 0;
 };
+
+/// Of points of the input grid, where all are.
+std::optional<Plane> plane_through_edges(const ConvexSpace& space, const FaceSide& a, const FaceSide& b) {
+    InputPoint at[4];
+    std::size_t count = 0;
+    for (const std::uint32_t point : {a.from, a.to, b.from, b.to}) {
+        if (!space.point(point).on_grid()) return std::nullopt;
+        at[count++] = space.point(point).grid();
+    }
+    Plane plane = plane_through(at[0], at[1], at[2]);
+    if (!plane.valid()) plane = plane_through(at[0], at[1], at[3]);
+    if (!plane.valid()) return std::nullopt;
+    for (const InputPoint& point : at)
+        if (exact_side(plane, ExactPoint(point)) != 0) return std::nullopt;
+    return plane;
+}
+
+/// Edges side by side, as of the teeth of a wheel: a plane through two of them resolves both.
+void add_planes_through_two(ConvexSpace& space, const SolidSides& solid, const std::vector<std::uint32_t>& reflex,
+                            std::vector<PlaneId>& planes) {
+    if (reflex.size() > kMaxPaired) return;
+    for (std::size_t a = 0; a < reflex.size(); ++a)
+        for (std::size_t b = a + 1; b < reflex.size(); ++b)
+            if (const std::optional<Plane> plane =
+                    plane_through_edges(space, solid.sides[reflex[a]], solid.sides[reflex[b]]))
+                planes.push_back(space.tables.planes.add(*plane) & ~1u);
+}
 
 std::vector<ScoredPlane> score_planes(ConvexSpace& space, const SolidSides& solid, const ReflexWeights& weights) {
     std::vector<PlaneId> planes;
@@ -28,6 +59,7 @@ std::vector<ScoredPlane> score_planes(ConvexSpace& space, const SolidSides& soli
         planes.push_back(solid.sides[k].plane & ~1u);
         if (k < solid.twin[k]) reflex.push_back(k);
     }
+    add_planes_through_two(space, solid, reflex, planes);
     sort_once(planes);
     std::vector<ScoredPlane> scored;
     std::vector<std::int8_t> sides(space.tables.points.size());
