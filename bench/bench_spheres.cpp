@@ -26,8 +26,8 @@ int measure(const Settings& settings) {
     std::printf("%zu chunks, longest side of the box %s m (median), %s to %s m\n", rubble.chunks.size(),
                 number(median(sizes)).c_str(), number(*std::min_element(sizes.begin(), sizes.end())).c_str(),
                 number(*std::max_element(sizes.begin(), sizes.end())).c_str());
-    Table table("spheres", {"spheres at most", "used", "error m", "worst m", "error / size", "worst / size", "ms",
-                            "worst ms"});
+    Table table("spheres",
+                {"spheres at most", "used", "error m", "worst m", "error / size", "worst / size", "ms", "worst ms"});
     for (const std::size_t most : {1, 2, 4, 8, 16, 32, 64, 128}) {
         std::vector<double> used, error, relative, milliseconds;
         for (std::size_t k = 0; k < rubble.chunks.size(); ++k) {

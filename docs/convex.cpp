@@ -32,7 +32,7 @@ int main() {
             pieces += piece.mass.volume;
             hulls += piece.hull_volume;
         }
-        std::printf("within %.2f m: %zu pieces of %.3f m3, hulls of %.3f m3\n", concavity,
-                    made.value().pieces.size(), pieces, hulls);
+        std::printf("within %.2f m: %zu pieces of %.3f m3, hulls of %.3f m3\n", concavity, made.value().pieces.size(),
+                    pieces, hulls);
     }
 }

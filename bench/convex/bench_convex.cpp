@@ -66,17 +66,14 @@ std::vector<Way> all_ways() {
     std::vector<Way> ways;
     ways.push_back({"exact", [](const Chunk& chunk, const PeerMesh&) { return firma_pieces(chunk, 0); }});
     for (const int centimetres : {1, 2, 5, 10})
-        ways.push_back({"hulls within " + std::to_string(centimetres) + " cm",
-                        [centimetres](const Chunk& chunk, const PeerMesh&) {
-                            return firma_pieces(chunk, centimetres / 100.0);
-                        }});
+        ways.push_back(
+            {"hulls within " + std::to_string(centimetres) + " cm",
+             [centimetres](const Chunk& chunk, const PeerMesh&) { return firma_pieces(chunk, centimetres / 100.0); }});
 #if defined(FIRMA_WITH_VHACD)
-    ways.push_back({"V-HACD, 400,000 voxels, 64 hulls", [](const Chunk&, const PeerMesh& mesh) {
-                        return measured(vhacd_pieces(mesh, 400000, 64));
-                    }});
-    ways.push_back({"V-HACD, 50,000 voxels, 16 hulls", [](const Chunk&, const PeerMesh& mesh) {
-                        return measured(vhacd_pieces(mesh, 50000, 16));
-                    }});
+    ways.push_back({"V-HACD, 400,000 voxels, 64 hulls",
+                    [](const Chunk&, const PeerMesh& mesh) { return measured(vhacd_pieces(mesh, 400000, 64)); }});
+    ways.push_back({"V-HACD, 50,000 voxels, 16 hulls",
+                    [](const Chunk&, const PeerMesh& mesh) { return measured(vhacd_pieces(mesh, 50000, 16)); }});
 #endif
 #if defined(FIRMA_WITH_HACD)
     for (const int centimetres : {2, 5})

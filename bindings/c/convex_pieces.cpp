@@ -76,8 +76,7 @@ firma_code firma_chunks_convex_pieces(firma_chunks chunks, size_t chunk, const f
         if (!pieces) return bad_call(function, kNull);
         const ChunksObject* object = find<ChunksObject>(chunks.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (chunk >= object->chunks.size())
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "there is no such chunk");
+        if (chunk >= object->chunks.size()) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "there is no such chunk");
         return give_convex_pieces(object->chunks[chunk].solid, options, pieces, function);
     });
 }

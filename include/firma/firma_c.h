@@ -3,9 +3,10 @@
  * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies, shot events, convex pieces or bytes is a handle: a struct with a number
- * that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released, never made,
- * or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events, convex pieces or bytes is a handle: a struct
+ * with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was
+ * released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
+ * Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -1473,8 +1474,8 @@ FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* p
 
 /* How a solid is divided into convex pieces, for another engine. A null pointer, and zeros, take the defaults. */
 typedef struct firma_convex_options {
-    uint32_t size;       /* sizeof(firma_convex_options) */
-    uint32_t max_pieces; /* 1 to 16,384; 0: 256 */
+    uint32_t size;        /* sizeof(firma_convex_options) */
+    uint32_t max_pieces;  /* 1 to 16,384; 0: 256 */
     double max_concavity; /* metres. 0: each piece is convex. Above: what is convex but for less is one piece, of which
                              its hull is given, no point of which is farther than this from the piece */
     double density;       /* kilograms a cubic metre, for firma_convex_piece.mass; 0: 2,400 */
@@ -1503,10 +1504,10 @@ typedef struct firma_convex_piece {
 } firma_convex_piece;
 
 /* A world's solid as convex pieces that fill it: none crosses another, and their exact volumes add up to its volume.
- * Divided at reflex edges by planes of its faces, and merged where pieces are convex together. FIRMA_ERROR_INVALID for a
- * world without solid faces or with rock that reaches to infinity, and for options out of range; FIRMA_ERROR_TOO_LARGE
- * where it takes more than max_pieces. Costs microseconds for a box with a notch, a second for some hundred reflex
- * edges. docs/debris.md. */
+ * Divided at reflex edges by planes of its faces, and merged where pieces are convex together. FIRMA_ERROR_INVALID for
+ * a world without solid faces or with rock that reaches to infinity, and for options out of range;
+ * FIRMA_ERROR_TOO_LARGE where it takes more than max_pieces. Costs microseconds for a box with a notch, a second for
+ * some hundred reflex edges. docs/convex.md. */
 FIRMA_API firma_code firma_world_convex_pieces(firma_world world, const firma_convex_options* options,
                                                firma_convex_pieces* pieces);
 /* The same of a chunk, in its frame. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */

@@ -87,7 +87,7 @@ std::optional<ConvexBody> piece_of_shape(ConvexSpace& space, const ConvexShape& 
 }
 
 ConvexBody piece_of_hull(const ConvexSpace& space, const SolidSides& solid, const GridHull& hull, double overhang,
-                          double density) {
+                         double density) {
     ConvexBody piece;
     piece.exact = false;
     for (const GridPoint& point : hull.points) piece.corners.push_back(to_metres(point));

@@ -14,7 +14,7 @@ namespace firma {
 std::optional<ConvexBody> piece_of_shape(ConvexSpace& space, const ConvexShape& shape, double density);
 
 ConvexBody piece_of_hull(const ConvexSpace& space, const SolidSides& solid, const GridHull& hull, double overhang,
-                          double density);
+                         double density);
 
 /// Rounded corners of a solid.
 std::vector<GridPoint> corners_of_sides(const ConvexSpace& space, const FaceSides& sides);

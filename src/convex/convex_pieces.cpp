@@ -67,9 +67,9 @@ private:
     }
 
     Result<ConvexPieces> too_many() const {
-        return make_error(ErrorCode::kTooLarge,
-                          "takes more than max_pieces (" + std::to_string(options_.max_pieces) + ") convex pieces, of " +
-                              std::to_string(result_.reflex_edges) + " reflex edges; max_concavity makes fewer");
+        return make_error(ErrorCode::kTooLarge, "takes more than max_pieces (" + std::to_string(options_.max_pieces) +
+                                                    ") convex pieces, of " + std::to_string(result_.reflex_edges) +
+                                                    " reflex edges; max_concavity makes fewer");
     }
 
     bool take(const FaceSides& sides) {

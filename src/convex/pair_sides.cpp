@@ -30,9 +30,8 @@ private:
         std::vector<std::uint32_t> order(solid_.size());
         for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
         const auto ends = [&](std::uint32_t k) { return std::minmax(side(k).from, side(k).to); };
-        sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
-            return ends(a) != ends(b) ? ends(a) < ends(b) : a < b;
-        });
+        sort_range(order,
+                   [&](std::uint32_t a, std::uint32_t b) { return ends(a) != ends(b) ? ends(a) < ends(b) : a < b; });
         for (std::size_t first = 0, end; first < order.size(); first = end) {
             end = first + 1;
             while (end < order.size() && ends(order[end]) == ends(order[first])) ++end;
@@ -64,9 +63,7 @@ private:
         const std::uint32_t line = space_.lines.add(side(sides[0]).plane, side(sides[other]).plane, low);
         const int along = space_.lines.before(line, low, high) ? 1 : -1;
         // A half plane's angle is that of a normal, a quarter turn on.
-        const auto normal = [&](std::uint32_t k) {
-            return runs_up(k) ? side(k).plane : from_behind(side(k).plane);
-        };
+        const auto normal = [&](std::uint32_t k) { return runs_up(k) ? side(k).plane : from_behind(side(k).plane); };
         const auto turn = [&](PlaneId a, PlaneId b) {
             return same_plane(a, b) ? 0 : along * space_.lines.turn(line, a, b);
         };
@@ -106,8 +103,8 @@ private:
     /// Of two sides in one plane, the way from the first one's direction to the second one's.
     int turn_between(std::uint32_t a, std::uint32_t b) const {
         const int sign = solid_.bend[a] * solid_.bend[b];
-        return sign * exact_turn(space_.plane(side(a).plane), space_.plane(solid_.across(a)),
-                                 space_.plane(solid_.across(b)));
+        return sign *
+               exact_turn(space_.plane(side(a).plane), space_.plane(solid_.across(a)), space_.plane(solid_.across(b)));
     }
 
     /// Whether the first comes before the second, clockwise from the way back along `in`.

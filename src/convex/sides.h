@@ -41,7 +41,7 @@ bool sides_of_solid(ConvexSpace& space, const Solid& solid, FaceSides& sides);
 
 /// Sides with what lies beyond each.
 struct SolidSides {
-    FaceSides sides;  ///< settled
+    FaceSides sides;                  ///< settled
     std::vector<std::uint32_t> twin;  ///< of each: the side of the face that meets it there, behind both is solid
     /// Of each: 1 where the two faces meet in a convex edge, -1 in a reflex one. It runs so often along the cross
     /// product of the normals of its plane and of its twin's.

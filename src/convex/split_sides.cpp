@@ -17,6 +17,9 @@ struct LineEvent {
     int front = 0, back = 0;
 };
 
+/// A line, and a point on it.
+using LinePoint = std::pair<std::uint32_t, std::uint32_t>;
+
 /// A side in the dividing plane.
 struct FlatSide {
     FaceSide side;
@@ -97,7 +100,8 @@ private:
         const bool along = space_.lines.turn(line, by_, plane) > 0;
         sort_range(events_, [&](const LineEvent& a, const LineEvent& b) {
             if (a.point != b.point)
-                return along ? space_.lines.before(line, a.point, b.point) : space_.lines.before(line, b.point, a.point);
+                return along ? space_.lines.before(line, a.point, b.point)
+                             : space_.lines.before(line, b.point, a.point);
             return std::pair(a.front, a.back) < std::pair(b.front, b.back);
         });
         int front = 0, back = 0;
@@ -118,7 +122,7 @@ private:
 
     /// All sides in the plane end at every point that any of their line ends at.
     void divide_flat_sides() {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> points;  // by line
+        std::vector<LinePoint> points;
         for (const FlatSide& flat : flat_) {
             points.emplace_back(flat.line, flat.side.from);
             points.emplace_back(flat.line, flat.side.to);
@@ -128,17 +132,13 @@ private:
                 for (const std::uint32_t point : {solid_.sides[k].from, solid_.sides[k].to})
                     points.emplace_back(line_beside(k), point);
         sort_once(points);
-        sort_range(points, [&](const auto& a, const auto& b) {
+        const auto before = [&](const LinePoint& a, const LinePoint& b) {
             return a.first != b.first ? a.first < b.first : space_.lines.before(a.first, a.second, b.second);
-        });
+        };
+        sort_range(points, before);
         const auto each = [&](std::uint32_t line, std::uint32_t from, std::uint32_t to, const auto& function) {
             const bool up = space_.lines.before(line, from, to);
-            const auto low = std::lower_bound(points.begin(), points.end(), std::pair(line, up ? from : to),
-                                              [&](const auto& a, const auto& b) {
-                                                  return a.first != b.first
-                                                             ? a.first < b.first
-                                                             : space_.lines.before(a.first, a.second, b.second);
-                                              });
+            const auto low = std::lower_bound(points.begin(), points.end(), LinePoint{line, up ? from : to}, before);
             for (auto at = low; at->second != (up ? to : from); ++at)
                 up ? function(at->second, (at + 1)->second) : function((at + 1)->second, at->second);
         };

@@ -55,8 +55,7 @@ inline std::unique_ptr<BulletChunk> make_bullet_chunk(const Chunk& chunk, const 
     const btVector3 moments(inertia[0][0], inertia[1][1], inertia[2][2]);
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(chunk.mass.mass), nullptr, &made->compound, moments);
     info.m_friction = btScalar(0.7);
-    info.m_startWorldTransform =
-        btTransform(axes, bullet_vector(chunk.origin + chunk.mass.centre));
+    info.m_startWorldTransform = btTransform(axes, bullet_vector(chunk.origin + chunk.mass.centre));
     made->body = std::make_unique<btRigidBody>(info);
     return made;
 }

@@ -20,7 +20,8 @@ static firma_chunks make_chunk(void) {
     CHECK_OK(firma_world_release(room));
     firma_carve_report report = {.size = sizeof report};
     for (int k = 0; k < 3; ++k) {
-        const firma_cutter blade = make_box(boxes[k][0], boxes[k][1], boxes[k][2], boxes[k][3], boxes[k][4], boxes[k][5]);
+        const firma_cutter blade =
+            make_box(boxes[k][0], boxes[k][1], boxes[k][2], boxes[k][3], boxes[k][4], boxes[k][5]);
         firma_world after = {0};
         CHECK_OK(firma_carve(world, blade, &kHere, &options, &after, &report));
         CHECK_OK(firma_cutter_release(blade));

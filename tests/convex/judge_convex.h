@@ -99,9 +99,9 @@ inline void expect_volumes(const Solid& whole, const std::vector<JudgedPiece>& p
 }
 
 struct ConvexJudgement {
-    std::size_t pairs = 0;      ///< of pieces whose boxes meet
-    std::size_t by_cut = 0;     ///< of these, which no plane of the solid has on different sides
-    std::size_t inside = 0;     ///< points tried that lie in the whole
+    std::size_t pairs = 0;   ///< of pieces whose boxes meet
+    std::size_t by_cut = 0;  ///< of these, which no plane of the solid has on different sides
+    std::size_t inside = 0;  ///< points tried that lie in the whole
     std::size_t outside = 0;
 };
 

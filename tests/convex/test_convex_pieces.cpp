@@ -96,8 +96,8 @@ TEST(ConvexPieces, WhereSolidsTouch) {
         for (int y = 0; y < 3; ++y)
             for (int z = 0; z < 3; ++z)
                 if ((x + y + z) % 2)
-                    chequered = test::without_box(chequered, {double(x), double(y), double(z)},
-                                                  {x + 1.0, y + 1.0, z + 1.0});
+                    chequered =
+                        test::without_box(chequered, {double(x), double(y), double(z)}, {x + 1.0, y + 1.0, z + 1.0});
     EXPECT_EQ(pieces_of(chequered), 14u);
 }
 
@@ -122,8 +122,9 @@ TEST(ConvexPieces, OfRandomRubble) {
         ASSERT_TRUE(result.ok()) << result.error().text();
         test::expect_convex_pieces(solid, result.value(), judgement, std::uint64_t(seed));
         if (seed % 10 == 0) test::expect_union(solid, result.value());
-        if (seed % 20 == 0)
+        if (seed % 20 == 0) {
             EXPECT_EQ(test::hash_of(convex_pieces(solid, {.max_pieces = 4096}).value()), test::hash_of(result.value()));
+        }
         most = std::max(most, result.value().pieces.size());
         pieces += result.value().pieces.size();
         hollow += result.value().reflex_edges > 0;
