@@ -17,7 +17,7 @@ namespace {
 int measure(const Settings& settings) {
     const Result<World> depot = read_world(settings.repository + "/levels/depot.map");
     if (!depot) return std::fprintf(stderr, "%s\n", depot.error().text().c_str()), 1;
-    const DepotRubble rubble = depot_rubble(depot.value(), settings.quick ? 2 : 60);
+    const DepotRubble rubble = depot_rubble(depot.value(), settings.quick ? 2 : 24);
     std::vector<double> sizes;
     for (const Chunk& chunk : rubble.chunks) {
         const Box box = chunk.solid.bounds();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // V-HACD 4 by Khaled Mamou and others, from the npm package vhacd-js, compiled here.
 #define ENABLE_VHACD_IMPLEMENTATION 1
+#define VHACD_DISABLE_THREADING 1  // as the package builds it
 #include <VHACD.h>
 
 #include "convex/convex_peer.h"

@@ -20,6 +20,9 @@ inline Vec3 our_vector(const btVector3& v) {
     return {double(v.x()), double(v.y()), double(v.z())};
 }
 
+/// Metres: bodies rest so far apart, and are pushed out while they are nearer.
+inline constexpr double kBulletMargin = 0.01;
+
 /// A dynamic body with what it is made of.
 struct BulletChunk {
     std::vector<std::unique_ptr<btConvexHullShape>> hulls;
@@ -48,7 +51,7 @@ inline std::unique_ptr<BulletChunk> make_bullet_chunk(const Chunk& chunk, const 
         auto hull = std::make_unique<btConvexHullShape>();
         for (const Vec3& corner : piece.corners) hull->addPoint(bullet_vector(corner), false);
         hull->recalcLocalAabb();
-        hull->setMargin(btScalar(0.002));
+        hull->setMargin(btScalar(kBulletMargin));
         made->compound.addChildShape(made->frame, hull.get());
         made->hulls.push_back(std::move(hull));
     }
@@ -69,7 +72,7 @@ public:
                 mesh_.addTriangle(bullet_vector(face.corners[0]), bullet_vector(face.corners[k - 1]),
                                   bullet_vector(face.corners[k]));
         ground_shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, true);
-        ground_shape_->setMargin(0);
+        ground_shape_->setMargin(btScalar(kBulletMargin));
         btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, ground_shape_.get());
         info.m_friction = btScalar(0.7);
         ground_ = std::make_unique<btRigidBody>(info);

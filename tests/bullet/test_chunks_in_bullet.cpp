@@ -37,7 +37,7 @@ void judge_rest(const test::Rubble& rubble, const ConvexOptions& options) {
                 const Vec3 at = chunk.place(corner);
                 ++corners;
                 if (locate(rubble.world.solid(), at) != Where::kSolid) continue;
-                EXPECT_TRUE(closest(rubble.world, at, kDeepest)) << at.x << ' ' << at.y << ' ' << at.z;
+                EXPECT_LE(closest(rubble.world, at, 1).distance, kDeepest) << at.x << ' ' << at.y << ' ' << at.z;
             }
     }
     EXPECT_GT(corners, pieces.size() * 8);
