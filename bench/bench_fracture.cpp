@@ -6,36 +6,13 @@
 
 #include "firma/brush_world.h"
 #include "firma/debris.h"
-#include "scenes/level_cuts.h"
+#include "support/depot_rubble.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
 
 namespace firma::bench {
 namespace {
-
-struct DepotRubble {
-    World world;
-    std::vector<Chunk> chunks;
-};
-
-/// Chunks of at least 50 litres, of blasts twice as large as those of scenes::level_cuts().
-DepotRubble depot_rubble(const World& level, std::size_t count) {
-    DepotRubble rubble{with_anchors(level), {}};
-    const scenes::CutPlaces places = scenes::cut_places(level);
-    CarveOptions options;
-    options.chunks = ChunkOptions{.min_volume = 0.05};
-    for (std::uint64_t index = 0; rubble.chunks.size() < count && index < 100; ++index)
-        for (const scenes::CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts::kSpread, 7, index)) {
-            Pose pose = order.pose;
-            pose.scale *= 2;
-            const CarveResult cut = carve(rubble.world, order.cutter, pose, options);
-            rubble.world = cut.world;
-            for (const Chunk& chunk : cut.chunks)
-                if (rubble.chunks.size() < count) rubble.chunks.push_back(chunk);
-        }
-    return rubble;
-}
 
 struct Spent {
     std::vector<double> milliseconds;

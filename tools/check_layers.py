@@ -21,7 +21,7 @@ LAYERS = [
     ['src/world'],
     ['src/moving'],
     ['src/level', 'src/save', 'src/store', 'src/body'],
-    ['src/brush', 'src/log', 'src/player', 'src/fracture'],
+    ['src/brush', 'src/log', 'src/player', 'src/fracture', 'src/convex'],
     ['scenes'],
     ['gltf', 'draw'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],

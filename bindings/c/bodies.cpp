@@ -36,15 +36,6 @@ MassProperties mass_from(const firma_mass& from) {
     return mass;
 }
 
-void put_mass_of(const MassProperties& from, firma_mass& to) {
-    to.volume = from.volume;
-    to.mass = from.mass;
-    put(from.centre, to.centre);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            to.inertia[3 * row + column] = from.inertia[std::size_t(row)][column];
-}
-
 bool is_there(const Body& body) {
     return body.shape.valid();
 }
@@ -167,7 +158,7 @@ firma_code firma_mass_of_ball(double radius, double density, firma_mass* mass) {
         if (!mass) return bad_call(function, kNull);
         if (!is_above_zero(radius) || !is_above_zero(density))
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the radius or density is not a finite number above zero");
-        put_mass_of(mass_of_ball(radius, density), *mass);
+        put(mass_of_ball(radius, density), *mass);
         return FIRMA_OK;
     });
 }
@@ -179,7 +170,7 @@ firma_code firma_mass_of_box(const double half[3], double density, firma_mass* m
             if (!is_above_zero(half[k]) || !is_above_zero(density))
                 return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
                             "a side or the density is not a finite number above zero");
-        put_mass_of(mass_of_box({half[0], half[1], half[2]}, density), *mass);
+        put(mass_of_box({half[0], half[1], half[2]}, density), *mass);
         return FIRMA_OK;
     });
 }

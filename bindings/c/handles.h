@@ -34,7 +34,8 @@ enum class Kind : std::uint8_t {
     kShotEvents,
     kPiercing,
     kDebris,
-    kSupports
+    kSupports,
+    kConvexPieces
 };
 
 /// What a handle may stand for; deleted when it is released.

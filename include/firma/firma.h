@@ -13,6 +13,7 @@
 #include "firma/carve.h"
 #include "firma/cast_set.h"
 #include "firma/chunk.h"
+#include "firma/convex_pieces.h"
 #include "firma/cutter.h"
 #include "firma/debris.h"
 #include "firma/edit_log.h"

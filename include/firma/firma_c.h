@@ -3,9 +3,10 @@
  * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports or bytes is a
- * handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle
- * that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces or
+ * bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own
+ * function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are
+ * never used twice.
  * Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
@@ -150,6 +151,9 @@ typedef struct firma_region_meshes {
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
+typedef struct firma_convex_pieces {
+    uint64_t id;
+} firma_convex_pieces;
 typedef struct firma_chunks {
     uint64_t id;
 } firma_chunks;
@@ -1475,6 +1479,54 @@ typedef struct firma_rest {
  * against each other, again for each time that some are mended. */
 FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* pose, const char* name,
                                           firma_cutter* cutter, firma_rest* rest);
+
+/* ---- convex pieces ---------------------------------------------------------------------------------------------- */
+
+/* How a solid is divided into convex pieces, for another engine. A null pointer, and zeros, take the defaults. */
+typedef struct firma_convex_options {
+    uint32_t size;        /* sizeof(firma_convex_options) */
+    uint32_t max_pieces;  /* 1 to 16,384; 0: 256 */
+    double max_concavity; /* metres. 0: each piece is convex. Above: what is convex but for less is one piece, of which
+                             its hull is given, no point of which is farther than this from the piece */
+    double density;       /* kilograms a cubic metre, for firma_convex_piece.mass; 0: 2,400 */
+} firma_convex_options;
+
+typedef struct firma_convex_face {
+    double normal[3]; /* unit, outward */
+    double offset;    /* metres: normal . p = offset on it */
+    uint32_t first;   /* its corners, counter-clockwise seen from outside: loops[first] to [first + count - 1] */
+    uint32_t count;   /* 3 or more */
+} firma_convex_face;
+
+typedef struct firma_convex_piece {
+    uint32_t size;         /* sizeof(firma_convex_piece) */
+    uint32_t exact;        /* 1: the piece is convex, exactly; 0: corners and faces are those of its hull */
+    firma_mass mass;       /* of the piece, not of its hull: volumes add up to the whole's */
+    double hull_volume;    /* cubic metres: of the hull of the corners */
+    double overhang;       /* metres: no point of the hull is farther from the piece; 0 for an exact one */
+    const double* corners; /* x, y, z each, metres: rounded by at most 3.3 um. All pointers: good until the handle is
+                              released */
+    size_t corner_count;
+    const firma_convex_face* faces;
+    size_t face_count;
+    const uint32_t* loops; /* numbers of corners, of all faces */
+    size_t loop_count;
+} firma_convex_piece;
+
+/* A world's solid as convex pieces that fill it: none crosses another, and their exact volumes add up to its volume.
+ * Divided at reflex edges by planes of its faces, and merged where pieces are convex together. FIRMA_ERROR_INVALID for
+ * a world without solid faces or with rock that reaches to infinity, and for options out of range;
+ * FIRMA_ERROR_TOO_LARGE where it takes more than max_pieces. Costs microseconds for a box with a notch, a second for
+ * some hundred reflex edges. docs/convex.md. */
+FIRMA_API firma_code firma_world_convex_pieces(firma_world world, const firma_convex_options* options,
+                                               firma_convex_pieces* pieces);
+/* The same of a chunk, in its frame. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_chunks_convex_pieces(firma_chunks chunks, size_t chunk, const firma_convex_options* options,
+                                                firma_convex_pieces* pieces);
+FIRMA_API firma_code firma_convex_pieces_get_count(firma_convex_pieces pieces, size_t* count);
+/* In an order that is the same everywhere. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_convex_pieces_get(firma_convex_pieces pieces, size_t piece, firma_convex_piece* out);
+FIRMA_API firma_code firma_convex_pieces_release(firma_convex_pieces pieces);
 
 /* ---- bodies ----------------------------------------------------------------------------------------------------- */
 

@@ -59,6 +59,7 @@ void test_structs(void);
 void test_old_names(void);
 void test_carving(void);
 void test_chunks(void);
+void test_convex_pieces(void);
 void test_commands(void);
 void test_matters(void);
 void test_logs(const char* sources);

@@ -97,6 +97,7 @@ int main(int argc, char** argv) {
     test_old_names();
     test_carving();
     test_chunks();
+    test_convex_pieces();
     test_bodies();
     test_projectiles();
     test_debris();
