@@ -207,8 +207,9 @@ Result<std::vector<std::byte>> pack_game(const GameState& game) {
     if (auto fault = fault_of_game(game)) return *fault;
     // The world's own sections first, as they are.
     const std::vector<std::byte> world = pack_world(game.world);
+    const Result<std::vector<Section>> of_world = read_container(world, "world");
     std::vector<NewSection> sections;
-    for (const Section& section : read_container(world, "world").value())
+    for (const Section& section : of_world.value())
         sections.push_back({section.type, section.flags, copy_of(section.bytes)});
     for (NewSection& section : sections_of_game(game)) sections.push_back(std::move(section));
     return write_container(sections, version_of_container(world));

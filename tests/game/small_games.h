@@ -25,7 +25,7 @@ inline GameState small_game() {
 inline std::vector<GameEvent> small_events() {
     std::vector<GameEvent> events;
     events.push_back({0, PlayerEvent{game_player({-3, -3, -1.99})}});
-    events.push_back({0, BodyEvent{body_here(box_body({0.25, 0.25, 0.25}), {3, -3, -1.2})}});
+    events.push_back({0, BodyEvent{body_here(box_body({0.25, 0.25, 0.25}), {-3.4, 1, -1.74})}});
     events.push_back({2, WishEvent{0, {.velocity = {3, 0, 0}, .jump = true}}});
     events.push_back({4, PartEvent{0}});
     events.push_back({5, FireEvent{1, {-3, 3, 0}, {30, -20, 0}}});

@@ -122,7 +122,9 @@ TEST(GameBytes, EveryByteFlippedUnderRightChecksums) {
     std::size_t read_anyway = 0, refused = 0;
     for (const SectionPlace& place : section_places(bytes)) {
         if (!is_of_games(place.type)) continue;
-        for (std::size_t k = place.first; k < place.first + place.length; ++k) {
+        // Most of the parts' bytes are those of their worlds.
+        const std::size_t stride = place.type == kGamePartsSection ? 7 : 2;
+        for (std::size_t k = place.first; k < place.first + place.length; k += stride) {
             for (const unsigned flip : {1u, 0x40u}) {
                 std::vector<std::byte> damaged = bytes;
                 damaged[k] ^= std::byte(flip);
@@ -131,7 +133,7 @@ TEST(GameBytes, EveryByteFlippedUnderRightChecksums) {
                 read ? ++read_anyway : ++refused;
                 if (!read) {
                     EXPECT_EQ(read.error().place.rfind("test", 0), 0u) << read.error().text();
-                } else if (k % 5 == 0) {
+                } else if (k % 3 == 0) {
                     GameState game = std::move(read).value();
                     EXPECT_TRUE(pack_game(game).ok());
                     for (int tick = 0; tick < 2; ++tick) static_cast<void>(step_game(game));
@@ -139,8 +141,8 @@ TEST(GameBytes, EveryByteFlippedUnderRightChecksums) {
             }
         }
     }
-    EXPECT_GT(read_anyway, 500u);  // numbers of all kinds
-    EXPECT_GT(refused, 200u);
+    EXPECT_GT(read_anyway, 300u);  // numbers of all kinds
+    EXPECT_GT(refused, 100u);
 }
 
 TEST(GameBytes, EveryTruncationOfASectionUnderRightChecksums) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "firma/rooms.h"
 #include "tests/game/small_games.h"
 #include "tests/world/two_halves.h"
 
@@ -39,7 +40,7 @@ GameState on_ground(std::uint32_t rate = 60) {
 TEST(GameStep, ARocketExplodesWhereItStops) {
     GameState game = on_ground();
     happens(game, FireEvent{1, {0, 0, 2}, {30, 0, -30}});
-    GameReport report = ticks(game, 4);
+    GameReport report = ticks(game, 5);
     EXPECT_EQ(report.blasts.size(), 1u);
     ASSERT_EQ(report.shot_events.size(), 1u);
     EXPECT_EQ(report.shot_kinds[0], 1u);
@@ -75,7 +76,9 @@ TEST(GameStep, AGrenadeFallsWhenWhatItLayOnGoes) {
     happens(game, FireEvent{2, {0, 0, 0.1}, {0, 0, 0}});
     ticks(game, 60);
     ASSERT_NEAR(game.shots[2].projectiles.at(0).position.z, 0, 1e-3);
-    happens(game, EditEvent{crater_command(1, {CutterShape::kBox, 1}, {0, 0, 0}, 1)});
+    EditCommand pit;  // as deep as 1 m
+    pit.cutter = CraterSeed{CutterShape::kBox, 1};
+    happens(game, EditEvent{pit});
     ticks(game, 60);
     EXPECT_NEAR(game.shots[2].projectiles.at(0).position.z, -1, 1e-2);
 }
@@ -180,9 +183,13 @@ TEST(GameStep, WishesLastAndAJumpIsOfOneTick) {
 
 TEST(GameStep, WhatLiesLongBecomesGroundAndTheLogHasIt) {
     // A slab on a pin, and the pin shot in two.
-    const World level = with_anchors(test::brush_world(map_text::box({-8, -8, -2}, {8, 8, 0}, "rock") +
-                                                       map_text::box({-0.25, -0.25, 0}, {0.25, 0.25, 1.5}, "rock") +
-                                                       map_text::box({-1, -1, 1.5}, {1, 1, 1.75}, "rock")));
+    const World world = test::brush_world(map_text::box({-8, -8, -2}, {8, 8, 0}, "ground") +
+                                          map_text::box({-0.25, -0.25, 0}, {0.25, 0.25, 1.5}, "rock") +
+                                          map_text::box({-1, -1, 1.5}, {1, 1, 1.75}, "rock"));
+    AnchorRules anchors;
+    anchors.hanging = false;
+    anchors.materials = {"ground"};
+    const World level = with_anchors(world, anchors);
     GameState game = begin_game(level, 60);
     game.rules.debris.max_asleep = 0.5;
     game.rules.debris.to_ground = true;
