@@ -2,6 +2,7 @@
 // A fight in the depot, for tests and for comparing what compilers and machines make of it.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,8 @@ inline std::vector<GameEvent> depot_events() {
         events.push_back({330 + k, FireEvent{0, {12, 7, 1.5}, {300, 40 - 4.0 * double(k), 10}}});
     events.push_back({360, BlastEvent{{14, 7, 0.5}, {.crater = 1, .break_radius = 6}}});
     events.push_back({420, PartEvent{0}});
+    std::stable_sort(events.begin(), events.end(),
+                     [](const GameEvent& a, const GameEvent& b) { return a.tick < b.tick; });
     return events;
 }
 
