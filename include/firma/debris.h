@@ -111,6 +111,8 @@ struct DebrisRules {
     double max_overlap = 0.02;
     /// Spheres in the world that stay clear: players. Nothing becomes ground where one is in it.
     std::span<const Sphere> keep_clear{};
+    /// CarveOptions::edit of the first fill of a call, those after it count on; 0: of each the one after the last.
+    std::uint32_t first_edit = 0;
 };
 
 /// What became of debris.
@@ -118,10 +120,11 @@ struct DebrisReport {
     World world;  ///< after all that became ground
     std::vector<BodyId> removed;
     std::vector<BodyId> to_ground;
-    std::vector<RestingSolid> fills;  ///< of each of these: fill() with it was the edit
-    std::vector<CarveReport> edits;   ///< and its report
-    std::size_t refused = 0;          ///< that could not become ground, and stay bodies until they are too old
-    std::size_t waiting = 0;          ///< that wait, as a body or a player is in the way, or for another call
+    std::vector<RestingSolid> fills;         ///< of each of these: fill() with it was the edit
+    std::vector<CarveOptions> fill_options;  ///< and with these, for an edit log
+    std::vector<CarveReport> edits;          ///< and its report
+    std::size_t refused = 0;                 ///< that could not become ground, and stay bodies until they are too old
+    std::size_t waiting = 0;                 ///< that wait, as a body or a player is in the way, or for another call
 };
 
 /// Lets debris age, and keeps it within rules. Call it once a frame, after step().

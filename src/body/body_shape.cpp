@@ -65,6 +65,7 @@ Result<BodyShape> make_body_shape(std::span<const Sphere> spheres, const MassPro
     data->moments = axes.moments;
     data->axes = axes.rotation;
     data->given.assign(spheres.begin(), spheres.end());
+    data->given_mass = mass;
     data->thinnest = spheres[0].radius;
     const TurnMatrix turn = matrix_of(axes.rotation);
     for (const Sphere& sphere : spheres) {

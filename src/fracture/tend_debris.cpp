@@ -95,6 +95,7 @@ private:
         if (!resting) return refuse();
         CarveOptions options;
         options.material = matter(report_.world, piece.matter).inside;
+        if (rules_.first_edit > 0) options.edit = rules_.first_edit + std::uint32_t(report_.fills.size());
         const RestingSolid& rest = resting.value();
         const CarveResult filled = fill(report_.world, rest.cutter, rest.pose, options);
         if (filled.status == CarveStatus::kRefused) return refuse();
@@ -102,6 +103,7 @@ private:
         report_.world = filled.world;
         report_.edits.push_back(filled.report);
         report_.fills.push_back(std::move(resting).value());
+        report_.fill_options.push_back(std::move(options));
         report_.to_ground.push_back(id);
         remove_debris(bodies_, debris_, id);
     }

@@ -31,6 +31,7 @@ std::string fault_of(const PlayerSize& size) {
 std::shared_ptr<PlayerShapeData> shape_of(const PlayerSize& size, PlayerShapeData::Kind kind) {
     auto shape = std::make_shared<PlayerShapeData>();
     shape->kind = kind;
+    shape->given = size;
     shape->radius = size.radius;
     shape->up = size.up * (1 / length(size.up));
     for (const bool crouched : {false, true}) {

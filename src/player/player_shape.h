@@ -24,6 +24,7 @@ struct PlayerShapeData {
     double radius = 0;
     Vec3 up;
     Posture postures[2];  ///< standing, crouched
+    PlayerSize given;     ///< what it was made with; of spheres `up` alone
 };
 
 /// A face of the level or of a part, where it is.
