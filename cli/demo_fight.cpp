@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/anchor_options.h"
+#include "cli/atomic_file.h"
 #include "cli/demo_depot.h"
 #include "cli/failure.h"
 #include "cli/fight_judge.h"
@@ -25,7 +26,7 @@ namespace firma::cli {
 
 namespace {
 
-constexpr double kFightSeconds = 18;
+constexpr double kFightSeconds = 20;
 
 struct FightOutcome {
     double wall_seconds = 0;  ///< of the frames, without judging and drawing
@@ -83,7 +84,7 @@ std::string fight_text(const LoadedLevel& loaded, const FightGame& game, const F
         phases +=
             fmt::format("{}{} {} (worst {})", phases.empty() ? "" : ", ", phase.name,
                         ms_text(phase.total / double(std::max<std::size_t>(figures.frames, 1))), ms_text(phase.worst));
-    text += fight_row("ms a frame", phases);
+    text += fight_row("processor ms a frame", phases);
     text += fight_row("hash", fmt::format("{:016x}", hash_fight(game.state())));
     for (const std::string& picture : outcome.pictures) text += fight_row("picture", picture);
     if (!outcome.fault.empty()) text += "\nWHAT MUST HOLD DID NOT: " + outcome.fault + "\n";
@@ -113,6 +114,15 @@ Json fight_json(const LoadedLevel& loaded, const FightGame& game, const FightJud
                       {"pushed", figures.player_pushed},
                       {"rooms", figures.rooms},
                       {"at", game.player().position}};
+    json["blasts"] = Json::array();
+    for (const FightFlash& blast : game.flashes())
+        json["blasts"].push_back({{"seconds", blast.seconds},
+                                  {"at", blast.at},
+                                  {"crater", blast.crater == CarveStatus::kDone      ? "done"
+                                             : blast.crater == CarveStatus::kNothing ? "nothing"
+                                                                                     : "refused"},
+                                  {"loose", blast.loose},
+                                  {"broken", blast.broken}});
     json["rays"] = {{"cast", figures.rays}, {"escaped", figures.escaped}};
     for (const FightPhase& phase : figures.phases)
         json["ms"][phase.name] = {{"mean", 1e3 * phase.total / double(std::max<std::size_t>(figures.frames, 1))},

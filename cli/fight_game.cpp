@@ -4,13 +4,12 @@
 #include "firma/queries.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <utility>
 
 #include "base/random.h"
-#include "cli/numbers.h"
 #include "cli/rooms_outside.h"
 #include "firma/level.h"
 #include "firma/rooms.h"
@@ -19,8 +18,6 @@
 namespace firma::cli {
 
 namespace {
-
-using FightClock = std::chrono::steady_clock;
 
 constexpr double kFrame = 1 / kFightRate;
 constexpr Vec3 kRocketGravity{0, 0, -2};  // metres a second squared: its motor carries most of it
@@ -37,17 +34,17 @@ constexpr std::size_t kFightSpheres = 10;
 
 enum PhaseNumber : std::size_t { kCasts, kCuts, kBodies, kDebris, kPlayer };
 
-/// Adds the time it lives to a phase.
+/// Adds the processor time that passes while it lives. All of the game runs on one thread.
 class PhaseTimer {
 public:
-    explicit PhaseTimer(double& seconds) : seconds_(seconds), start_(FightClock::now()) {}
-    ~PhaseTimer() { seconds_ += seconds_since(start_); }
+    explicit PhaseTimer(double& seconds) : seconds_(seconds), start_(std::clock()) {}
+    ~PhaseTimer() { seconds_ += double(std::clock() - start_) / CLOCKS_PER_SEC; }
     PhaseTimer(const PhaseTimer&) = delete;
     PhaseTimer& operator=(const PhaseTimer&) = delete;
 
 private:
     double& seconds_;
-    const FightClock::time_point start_;
+    const std::clock_t start_;
 };
 
 std::uint64_t with_bits(std::uint64_t hash, std::uint64_t bits) {
@@ -178,13 +175,14 @@ void FightGame::blow(const FightRocket& rocket, const ShotEvent& event) {
     figures_.craters += result.carve.done();
     figures_.nothing += result.carve.status == CarveStatus::kNothing;
     figures_.refused += result.carve.status == CarveStatus::kRefused;
-    figures_.loose += result.carve.chunks.size() - result.unfit;
+    const std::size_t loose = result.carve.chunks.size() - result.unfit;
+    figures_.loose += loose;
     figures_.broken += result.broken;
     figures_.dust += result.dust;
     figures_.unfit += result.unfit;
     figures_.pushed += result.push.pushed;
     push_player(blast);
-    flashes_.push_back({blast.at, shot.radius, seconds()});
+    flashes_.push_back({blast.at, shot.radius, seconds(), result.carve.status, loose, result.broken});
 }
 
 void FightGame::push_player(const Blast& blast) {

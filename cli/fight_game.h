@@ -43,14 +43,16 @@ struct FightRocket {
     Vec3 from;  ///< metres, where it was fired
 };
 
-/// A blast that was, for pictures and plans.
+/// A blast that was.
 struct FightFlash {
     Vec3 at;  ///< metres
     double radius = 0;
     double seconds = 0;  ///< since the start of the fight
+    CarveStatus crater = CarveStatus::kNothing;
+    std::size_t loose = 0, broken = 0;  ///< bodies that came loose, and that broke
 };
 
-/// Seconds of a phase, over all frames and in the longest.
+/// Seconds of processor time of a phase, over all frames and in the longest.
 struct FightPhase {
     const char* name;
     double total = 0, worst = 0;

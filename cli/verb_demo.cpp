@@ -93,7 +93,8 @@ well. Levels without closed solids have nothing to carve.
 --json: of the fire fight level, frames, seconds, wall_seconds, rockets {fired, hit}, craters {done, nothing, refused,
 taken_back (of these)}, bodies {loose, broken, dust, unfit, pushes, max, end, at_rest, removed, lost, spheres_judged,
 deepest_mm}, player {way (metres), through_solid (times that it came to where the level was solid), pushed, rooms, at},
-rays {cast, escaped}, ms {casts, cuts, bodies, debris, player: {mean, worst} of a frame}, hash, pictures, fault (null
+blasts [{seconds, at, crater, loose, broken}], rays {cast, escaped}, ms {casts, cuts, bodies, debris, player: {mean,
+worst} of a frame, processor time}, hash, pictures, fault (null
 where all held).
 
 --json: of casts and craters level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
@@ -442,7 +443,7 @@ Verb add_demo(CLI::App& app) {
     command.add_option("--casts", arguments->casts, "N", "casts, 1 .. 10000000 (default 100000)");
     command.add_option("--craters", arguments->craters, "N", "craters, 0 .. 100000 (default 200)");
     command.add_option("--frames", arguments->frames, "FOLDER", "film strips of the fire fight; made when missing");
-    command.add_option("--seconds", arguments->seconds, "T", "of the fire fight, 0.1 .. 600 (default 18)");
+    command.add_option("--seconds", arguments->seconds, "T", "of the fire fight, 0.1 .. 600 (default 20)");
     command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1 (default 1)");
     add_json_flag(command, arguments->json);
     command.set_footer(kDemoFooter);

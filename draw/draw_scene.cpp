@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "draw/room_colours.h"
@@ -112,8 +113,9 @@ std::vector<PuffDisc> discs_of(std::span<const DrawnPuff> puffs, const ViewFrame
         const double radius = puff.radius / (seen.z * frame.half) * frame.width / 2;
         discs.push_back({frame.column(seen), frame.row(seen), radius, 1 / seen.z, &puff});
     }
-    std::stable_sort(discs.begin(), discs.end(),
-                     [](const PuffDisc& a, const PuffDisc& b) { return a.nearness < b.nearness; });
+    std::sort(discs.begin(), discs.end(), [](const PuffDisc& a, const PuffDisc& b) {
+        return std::tie(a.nearness, a.puff) < std::tie(b.nearness, b.puff);
+    });
     return discs;
 }
 

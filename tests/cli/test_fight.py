@@ -41,7 +41,7 @@ class FireFight(CliTest):
         text = self.firma('demo', FIRST, '--seconds', '2', '--seed', '5')
         self.assertIn('hash                     %s\n' % report['hash'], text)
         self.assertIn('lost bodies              0\n', text)
-        self.assertRegex(text, r'ms a frame +casts \d+\.\d\d \(worst \d+\.\d\d\), cuts .*, bodies .*, debris .*, player ')
+        self.assertRegex(text, r'processor ms a frame +casts \d+\.\d\d \(worst \d+\.\d\d\), cuts .*, bodies .*, debris .*, player ')
         self.assertRegex(text, r'\nframes +120: 2\.0 s of a fire fight, in ')
         self.assertNotEqual(self.firma_json('demo', FIRST, '--seconds', '2', '--seed', '6')['hash'], report['hash'])
         self.assertEqual(self.files(), [])
