@@ -70,6 +70,12 @@ draw::Camera small_camera(const Vec3& eye, const Vec3& target) {
     return camera;
 }
 
+/// Sees 103 degrees from left to right.
+draw::Camera wide(draw::Camera camera) {
+    camera.zoom = 0.8;
+    return camera;
+}
+
 std::vector<double> evenly(double from, double to, int count) {
     std::vector<double> seconds;
     for (int k = 0; k < count; ++k) seconds.push_back(from + (to - from) * k / (count - 1));
@@ -81,11 +87,11 @@ std::vector<double> evenly(double from, double to, int count) {
 std::vector<FightFilm> depot_films() {
     return {{"bridge",
              {0.70, 0.90, 1.40, 1.80, 2.00, 2.30, 2.50, 2.70, 4.00},
-             small_camera({23.5, 9.3, 4.6}, {13.5, 7, 2.2}),
+             small_camera({21.9, 7.4, 4.7}, {13.5, 7, 2.3}),
              Vec3{20, 5, 9.5}},
             {"fight",
-             {0.8, 2.4, 3.15, 4.4, 6.4, 7.4, 9.3, 11.4, 16},
-             small_camera({25.2, 1.6, 5.6}, {14.5, 9, 2.0}),
+             {0.8, 1.96, 3.15, 5.1, 6.45, 7.4, 9.3, 11.5, 19},
+             wide(small_camera({25.3, 5.4, 5.4}, {16, 9, 1.8})),
              Vec3{20, 5, 9.5}}};
 }
 

@@ -134,6 +134,12 @@ Vec3 through_puffs(std::span<const PuffDisc> discs, double nearness, double x, d
     return colour;
 }
 
+/// In steps that nobody sees, as files are a third smaller so.
+std::uint8_t rounded(double part) {
+    constexpr double kStep = 4;
+    return std::uint8_t(std::clamp(std::floor(part / kStep + 0.5) * kStep, 0.0, 255.0));
+}
+
 /// One picture's rows, which threads share.
 struct SceneRows {
     const SceneFaces& scene;
@@ -180,8 +186,7 @@ struct SceneRows {
                 for (int part = 0; part < 3; ++part) sum[part] += std::min(colour[part], kBrightest);
             }
             for (int part = 0; part < 3; ++part)
-                picture.at(x, y)[std::size_t(part)] =
-                    std::uint8_t(std::clamp(255 * sum[part] / (kGrid * kGrid), 0.0, 255.0));
+                picture.at(x, y)[std::size_t(part)] = rounded(255 * sum[part] / (kGrid * kGrid));
         }
     }
 };
