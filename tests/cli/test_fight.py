@@ -53,13 +53,12 @@ class FireFight(CliTest):
         self.assertGreater(report['player']['way'], 2)
 
     def test_the_default_level(self):
-        self.write('box.obj', box(6, 6, 4))
         os.mkdir(self.path('levels'))
         self.write('levels/depot.map', 'no level')
         self.refuse('demo', says='levels/depot.map:1')
 
     def test_frames(self):
-        report = self.firma_json('demo', FIRST, '--seconds', '0.6', '--frames', 'new/folder')
+        report = self.firma_json('demo', FIRST, '--seconds', '0.4', '--frames', 'new/folder')
         self.assertEqual(report['pictures'], [])  # no crater in it, so no place to look from
         self.assertTrue(os.path.isdir(self.path('new/folder')))
         if SANITIZED: return
