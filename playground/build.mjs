@@ -30,7 +30,7 @@ await build({
     alias: { firma: process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js') },
     logLevel: 'warning',
 });
-cpSync(path.join(here, 'index.html'), path.join(target, 'index.html'));
+for (const file of ['index.html', 'playground.css']) cpSync(path.join(here, file), path.join(target, file));
 cpSync(wasm, path.join(target, 'firma.wasm'));
 cpSync(readers, path.join(target, 'firma_readers.wasm'));
 for (const level of ['depot.map', 'first.obj']) cpSync(path.join(root, 'levels', level), path.join(target, level));

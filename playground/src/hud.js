@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines on the screen: where one is, what the casts tested, how long things took.
+// The figures of the engine, behind a key: where one is, what the casts tested, how long things took.
 const kEvery = 150; // milliseconds between two changes of the text, as it is to be read
 
 const number = (value, digits) => (Number.isFinite(value) ? value.toFixed(digits) : '-');
@@ -58,8 +58,10 @@ export function describeSet(set) {
 }
 
 export class Hud {
-    constructor(root) {
-        this.lines = Object.fromEntries(['place', 'aim', 'move', 'times', 'shot', 'set'].map((name) => [name, root.querySelector(`.${name}`)]));
+    /** @param root  of the figures @param told  where it stands what came of a scene, for those without them */
+    constructor(root, told) {
+        this.lines = Object.fromEntries(['place', 'aim', 'move', 'moves', 'times', 'shot', 'set'].map((name) => [name, root.querySelector(`.${name}`)]));
+        this.told = told;
         this.shown = -Infinity;
     }
 
@@ -80,5 +82,6 @@ export class Hud {
             `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})   drawn anew in ${number(s.times.meshMs.median, 2)} ms (last ${number(s.times.meshMs.last, 2)})`);
         set('shot', s.set ? '' : describeShot(s.shot)); // of a scene all shots together
         set('set', describeSet(s.set));
+        this.told.textContent = describeSet(s.set);
     }
 }

@@ -8,8 +8,8 @@ import { dot, subtract } from './vector.js';
 const kReach = 250; // metres
 const kCraterScale = 1.2;
 const kHistoryBytes = 256 * 1024 * 1024;
-// What is cut off leaves. As heavy as concrete, kg/m3.
-const kCarveOptions = { material: 'rubble', chunks: { density: 2400 } };
+// What is cut off leaves, as heavy as concrete, kg/m3. The faces of a crater are of the matter that it cuts.
+const kCarveOptions = { chunks: { density: 2400 } };
 
 export class Launcher {
     /**
@@ -21,6 +21,7 @@ export class Launcher {
         this.store = firma.openStore(world, kHistoryBytes);
         this.world = world;
         this.materials = world.facts().materials;
+        this.matters = world.matters().matters;
         this.probe = probe;
         this.onChange = onChange;
         this.onLoose = onLoose;
@@ -52,26 +53,41 @@ export class Launcher {
         const path = direction.map((x) => x * kReach);
         const hit = this.probe.measure(() => this.probe.cast(eye, 0, path, kStopsSight, room, passed));
         const met = hit.hit;
-        return { hit, met, passed, distance: met ? hit.fraction * kReach : Infinity, material: met ? (hit.portal !== null ? 'closed portal' : this.materials[hit.material]) : '' };
+        return { hit, met, passed, distance: met ? hit.fraction * kReach : Infinity, material: met ? this.#nameOf(hit) : '' };
     }
 
+    /** What something that flies meets along a path, for strike(); null for nothing. */
+    meet(from, path) {
+        const hit = this.probe.cast(from, 0, path, kStopsSight);
+        return hit.hit ? { hit, met: true, material: this.#nameOf(hit), edit: this.world.hitInfo(hit).sourceEdit, matter: this.#matterOf(hit) } : null;
+    }
+
+    /** A crater at once, where somebody looks. */
     fire(eye, direction, room) {
         const target = this.aim(eye, direction, room);
         if (!target.met) return (this.last = { status: 'missed', target });
         if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
+        return this.strike({ ...target, edit: this.world.hitInfo(target.hit).sourceEdit, matter: this.#matterOf(target.hit) });
+    }
+
+    /** A crater where something was met. @param target  of aim() or meet() */
+    strike(target) {
+        if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
         const seed = ++this.shots;
         const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
         // A crater in a crater goes on from the wall that the first one hit, so that colours by depth go on too.
-        const wall = this.dents.get(this.world.hitInfo(target.hit).sourceEdit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
+        const wall = this.dents.get(target.edit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
         this.#carve(seed, pose, { ...wall, scale: kCraterScale });
-        this.last.target = target;
+        Object.assign(this.last, { target, matter: target.matter });
         return this.last;
     }
 
     /** A rocky crater wherever one likes, not turned. */
     shootAt({ position, scale, seed }) {
         // Somewhat dark all over: no wall is known that it begins at.
-        return this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale });
+        const matter = this.matters[this.world.matterAt(position)].name;
+        this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale });
+        return Object.assign(this.last, { matter });
     }
 
     undo() {
@@ -95,6 +111,15 @@ export class Launcher {
     depth(edit, point) {
         const dent = this.dents.get(edit);
         return dent ? -dot(subtract(point, dent.point), dent.normal) / dent.scale : 0;
+    }
+
+    #nameOf(hit) {
+        return hit.portal !== null ? 'closed portal' : this.materials[hit.material];
+    }
+
+    /** The name of the matter that was met; '' for a closed portal, too. */
+    #matterOf(hit) {
+        return hit.face === null ? '' : this.matters[this.world.matterOf(hit)].name;
     }
 
     /** @param dent  for colours: where the crater lies */

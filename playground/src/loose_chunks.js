@@ -15,8 +15,9 @@ export function countChunks({ loose, crumbs }) {
 
 export class LooseChunks {
     /** @param makeMaterials  () => { solid, clear }, with an opacity of their own */
-    constructor(makeMaterials, painter) {
+    constructor(makeMaterials, painter, shadow) {
         this.makeMaterials = makeMaterials;
+        this.shadow = shadow;
         this.painter = painter;
         this.group = new THREE.Group();
         this.fading = []; // { meshes, materials, age }: one for each shot
@@ -25,7 +26,7 @@ export class LooseChunks {
     /** Draws pieces from now on. @param loose  handle of a carving, which stays the caller's */
     add(loose) {
         const materials = this.makeMaterials();
-        const meshes = new RegionMeshes(materials.solid, this.painter, materials.clear);
+        const meshes = new RegionMeshes(materials, this.painter, this.shadow);
         loose.list().forEach(({ origin }, k) => {
             const body = loose.world(k);
             const own = body.regionMeshes(regionOptions(body.facts().materials));

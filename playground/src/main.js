@@ -3,10 +3,14 @@
 import { loadFirma } from 'firma';
 import { Game } from './game.js';
 import { describeShot, Hud } from './hud.js';
+import { listenToButtons } from './held_buttons.js';
 import { Input } from './input.js';
 import { kLevels, levelName, loadLevel } from './load_level.js';
 import { kStopsWalk } from './masks.js';
+import { renderSound, Sound } from './sound.js';
+import { kSounds } from './sound_recipes.js';
 import { Stage } from './stage.js';
+import { Touch } from './touch.js';
 
 const kLongestFrame = 0.1; // seconds: after a pause time does not jump
 
@@ -41,6 +45,12 @@ function offerHooks(game, loop, draw) {
         startSet: (name) => game.startSet(name),
         togglePortals: () => game.togglePortals(),
         turnPortal: () => game.turnPortal(),
+        /** What a sound is like, played nowhere. */
+        async renderSound(name) {
+            const samples = await renderSound(name);
+            return { peak: samples.reduce((most, x) => Math.max(most, Math.abs(x)), 0), energy: samples.reduce((sum, x) => sum + x * x, 0), finite: samples.every(Number.isFinite) };
+        },
+        sounds: () => Object.keys(kSounds),
         /** Draws now, `dt` seconds later for what fades. */
         draw: (dt = 0) => draw(dt),
         hash: () => game.launcher.world.hash().toString(16),
@@ -59,16 +69,27 @@ function offerHooks(game, loop, draw) {
     });
 }
 
-/** Buttons for what the level has. */
-function offerSets(game) {
-    for (const name of ['bridge', 'wall']) {
-        const button = document.querySelector(`#${name}`);
-        button.hidden = !game.sets.plans[name];
-        button.addEventListener('click', () => {
-            button.blur(); // the space bar is for jumping
-            game.startSet(name);
-        });
-    }
+/** Fingers rather than a mouse: other buttons, and fewer pixels. */
+const isTouched = () => document.body.classList.contains('touch');
+function beTouched() {
+    if (!isTouched()) document.body.classList.add('touch', 'without-help');
+}
+
+/** What keys and buttons do at once. */
+function actionsOf(game, sound, name) {
+    return {
+        undo: () => game.undo(),
+        redo: () => game.redo(),
+        respawn: () => game.respawn(),
+        portals: () => game.togglePortals(),
+        door: () => game.turnPortal(),
+        bridge: () => game.startSet('bridge'),
+        wall: () => game.startSet('wall'),
+        level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
+        help: () => document.body.classList.toggle('without-help'),
+        figures: () => document.body.classList.toggle('figures'),
+        sound: () => document.querySelector('#more [data-do=sound]').classList.toggle('on', sound.toggle()),
+    };
 }
 
 /** Calls `frame` with the seconds gone by, for each frame of the browser. */
@@ -91,27 +112,25 @@ async function start() {
         const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
         const stage = new Stage(canvas);
-        const game = new Game(firma, world, name, stage, from);
-        const hud = new Hud(document.querySelector('#hud'));
+        const sound = new Sound();
+        const game = new Game(firma, world, name, stage, sound, from);
+        const hud = new Hud(document.querySelector('#hud'), document.querySelector('#told'));
         document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
 
-        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, 2));
+        if (matchMedia('(pointer: coarse)').matches) beTouched();
+        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, isTouched() ? 1.5 : 2));
         addEventListener('resize', resize);
         resize();
-        const input = new Input(canvas, game.player, {
-            fire: () => game.fire(),
-            undo: () => game.undo(),
-            redo: () => game.redo(),
-            respawn: () => game.respawn(),
-            portals: () => game.togglePortals(),
-            door: () => game.turnPortal(),
-            bridge: () => game.startSet('bridge'),
-            wall: () => game.startSet('wall'),
-            level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
-            help: () => document.body.classList.toggle('without-help'),
+        const actions = actionsOf(game, sound, name);
+        const input = new Input(canvas, game.player, actions);
+        const touch = new Touch(canvas, game.player, document.querySelector('#stick'), () => {
+            if (isTouched()) return;
+            beTouched();
+            resize();
         });
+        listenToButtons(document, input.keys, input.taps, actions);
+        for (const set of ['bridge', 'wall']) document.querySelector(`#${set}`).hidden = !game.sets.plans[set];
 
-        offerSets(game);
         const loop = { running: true };
         const draw = (dt) => {
             game.aim();
@@ -124,7 +143,7 @@ async function start() {
         runFrames(loop, (dt) => {
             const began = performance.now();
             input.turn(Math.min(dt, kLongestFrame));
-            game.step(Math.min(dt, kLongestFrame), input.keys);
+            game.step(Math.min(dt, kLongestFrame), input.take(touch.keys));
             draw(dt);
             game.frameMs.add(dt * 1000);
             game.workMs.add(performance.now() - began);
