@@ -17,16 +17,11 @@ export class BlastShow {
     }
 
     /** @param what  { point, normal, colour, metal }: see throwBlast() */
-    blast(eye, direction, what) {
-        this.ear = { eye, direction };
+    blast(what) {
         throwBlast(this.stage.dust, this.stage.glow, this.reach, { ...what, seed: ++this.count });
         this.stage.blast.flash(what.point, what.normal);
-        this.shake.add(felt(Math.hypot(...what.point.map((x, axis) => x - eye[axis]))));
+        this.shake.add(felt(Math.hypot(...what.point.map((x, axis) => x - this.ear.eye[axis]))));
         this.hear('blast', what.point);
-    }
-
-    launched(weapon, place) {
-        this.hear(weapon, place);
     }
 
     /** What a rocket left behind in the last dt seconds. @param at  where it is drawn @param speed  metres a second */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
-import { countChunks } from './loose_chunks.js';
-import { kStopsSight } from './masks.js';
+import { countChunks } from './chunk_counts.js';
+import { kStopsShots, kStopsSight } from './masks.js';
 import { Samples } from './samples.js';
 import { dot, subtract } from './vector.js';
 
@@ -15,8 +15,9 @@ export class Launcher {
     /**
      * @param onChange  (before, after): the worlds, after each change
      * @param onLoose  (loose): what a shot cut off, after that; the handle goes when it returns
+     * @param onBlast  (cutter, pose): a crater was tried, after all that; the cutter goes when it returns
      */
-    constructor(firma, world, probe, onChange, onLoose = () => {}) {
+    constructor(firma, world, probe, onChange, onLoose = () => {}, onBlast = () => {}) {
         this.firma = firma;
         this.store = firma.openStore(world, kHistoryBytes);
         this.world = world;
@@ -25,6 +26,8 @@ export class Launcher {
         this.probe = probe;
         this.onChange = onChange;
         this.onLoose = onLoose;
+        this.onBlast = onBlast;
+        this.scene = () => this.world; // what flies meets, with what moves in it
         this.shots = 0;
         this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report, chunks, portals }
         this.cutMs = new Samples(60);
@@ -58,8 +61,10 @@ export class Launcher {
 
     /** What something that flies meets along a path, for strike(); null for nothing. */
     meet(from, path) {
-        const hit = this.probe.cast(from, 0, path, kStopsSight);
-        return hit.hit ? { hit, met: true, material: this.#nameOf(hit), edit: this.world.hitInfo(hit).sourceEdit, matter: this.#matterOf(hit) } : null;
+        const hit = this.firma.castScene(this.scene(), { centre: from, radius: 0, path }, { mask: kStopsSight });
+        if (!hit.hit) return null;
+        if (hit.part !== null) return { hit, met: true, material: 'door', edit: 0, matter: 'wood' };
+        return { hit, met: true, material: this.#nameOf(hit), edit: this.world.hitInfo(hit).sourceEdit, matter: this.#matterOf(hit) };
     }
 
     /** A crater at once, where somebody looks. */
@@ -77,17 +82,26 @@ export class Launcher {
         const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
         // A crater in a crater goes on from the wall that the first one hit, so that colours by depth go on too.
         const wall = this.dents.get(target.edit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
-        this.#carve(seed, pose, { ...wall, scale: kCraterScale });
-        Object.assign(this.last, { target, matter: target.matter });
-        return this.last;
+        return Object.assign(this.#carve(seed, pose, { ...wall, scale: kCraterScale }), { target, matter: target.matter });
+    }
+
+    /** A crater around a point in the air, as grenades leave: of what is near. */
+    burst(point) {
+        const seed = ++this.shots;
+        const near = this.world.closest(point, kCraterScale, { mask: kStopsShots });
+        const away = near ? subtract(point, near.point) : [0, 0, 1];
+        const size = Math.hypot(...away);
+        const normal = size > 1e-6 ? away.map((x) => x / size) : [0, 0, 1];
+        const pose = { position: point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
+        const dent = { point: near?.point ?? point, normal, scale: kCraterScale };
+        return Object.assign(this.#carve(seed, pose, dent), { normal, matter: near ? this.#matterOf(near) : '' });
     }
 
     /** A rocky crater wherever one likes, not turned. */
     shootAt({ position, scale, seed }) {
-        // Somewhat dark all over: no wall is known that it begins at.
         const matter = this.matters[this.world.matterAt(position)].name;
-        this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale });
-        return Object.assign(this.last, { matter });
+        // Somewhat dark all over: no wall is known that it begins at.
+        return Object.assign(this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale }), { matter });
     }
 
     undo() {
@@ -98,12 +112,12 @@ export class Launcher {
         return this.#travel('redone', (facts) => facts.current < facts.newest, () => this.store.redo());
     }
 
-    /** Opens or closes a portal: an edit like others. */
-    turnPortal(portal) {
+    /** Opens or closes a portal: an edit like others. @param quiet  what was told of the last shot stays */
+    turnPortal(portal, quiet = false) {
         const { open } = this.world.portal(portal);
         const after = this.world.setPortalOpen(portal, !open);
         this.store.publish(this.world, after);
-        this.last = { status: open ? 'closed' : 'opened' };
+        if (!quiet) this.last = { status: open ? 'closed' : 'opened' };
         this.#change(after);
     }
 
@@ -129,12 +143,17 @@ export class Launcher {
         const start = performance.now();
         const { world: after, report } = before.carve(cutter, pose, kCarveOptions);
         const cutMs = performance.now() - start;
-        cutter.release();
         this.last = { status: report.status, reason: report.reason, cutMs, report };
-        if (report.status !== 'done') {
-            after.release();
-            return this.last;
-        }
+        if (report.status === 'done') this.#take(before, after, dent);
+        else after.release();
+        this.onBlast(cutter, pose);
+        cutter.release();
+        return this.last;
+    }
+
+    /** A crater's world becomes that of the moment. */
+    #take(before, after, dent) {
+        const { report, cutMs } = this.last;
         this.cutMs.add(cutMs);
         const [portals, facts] = [before.facts().portalCount, after.facts()];
         this.last.portals = Array.from({ length: facts.portalCount - portals }, (_, k) => portals + k);
@@ -143,7 +162,6 @@ export class Launcher {
         this.store.publish(before, after);
         this.last.meshMs = this.#change(after, report.loose);
         report.loose = null;
-        return this.last;
     }
 
     #travel(name, isThere, move) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loads Firma and a level, runs the frames, and offers window.firmaPlayground to whoever drives the page by program.
-import { loadFirma } from 'firma';
+import { loadGames, Projectiles } from 'firma/games';
 import { Game } from './game.js';
 import { describeShot, Hud } from './hud.js';
 import { listenToButtons } from './held_buttons.js';
@@ -18,7 +18,7 @@ const kLongestFrame = 0.1; // seconds: after a pause time does not jump
 const hooks = { done: false, error: null, frames: 0 };
 window.firmaPlayground = hooks;
 
-function offerHooks(game, loop, draw) {
+function offerHooks(game, loop, draw, heldNow) {
     Object.assign(hooks, {
         state: () => game.state(),
         /** Stops time; from then on only step() moves anything. */
@@ -51,6 +51,7 @@ function offerHooks(game, loop, draw) {
             return { peak: samples.reduce((most, x) => Math.max(most, Math.abs(x)), 0), energy: samples.reduce((sum, x) => sum + x * x, 0), finite: samples.every(Number.isFinite) };
         },
         sounds: () => Object.keys(kSounds),
+        heldNow,
         /** Draws now, `dt` seconds later for what fades. */
         draw: (dt = 0) => draw(dt),
         hash: () => game.launcher.world.hash().toString(16),
@@ -59,7 +60,7 @@ function offerHooks(game, loop, draw) {
         clearance() {
             const { feet } = game.player;
             const centres = [0.35, 0.85, 1.35].map((z) => [feet[0], feet[1], feet[2] + z]);
-            const world = game.launcher.world;
+            const { world } = game.launcher;
             return {
                 distance: Math.min(...centres.map((centre) => world.closest(centre, 10, { mask: kStopsWalk })?.distance ?? 10)),
                 inSolid: centres.some((centre) => world.locate(centre).where === 'solid'),
@@ -108,12 +109,12 @@ async function start() {
     const message = document.querySelector('#message');
     try {
         const name = levelName(location.search);
-        const [firma] = await Promise.all([loadFirma(new URL('firma.wasm', document.baseURI))]);
+        const firma = await loadGames(new URL('firma_games.wasm', document.baseURI));
         const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
         const stage = new Stage(canvas);
         const sound = new Sound();
-        const game = new Game(firma, world, name, stage, sound, from);
+        const game = new Game({ firma, Projectiles, world, levelName: name, stage, sound, start: from });
         const hud = new Hud(document.querySelector('#hud'), document.querySelector('#told'));
         document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
 
@@ -139,7 +140,7 @@ async function start() {
             ++hooks.frames;
         };
         draw(0);
-        offerHooks(game, loop, draw);
+        offerHooks(game, loop, draw, () => ({ ...input.keys, ...touch.keys }));
         runFrames(loop, (dt) => {
             const began = performance.now();
             input.turn(Math.min(dt, kLongestFrame));

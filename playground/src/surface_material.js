@@ -179,6 +179,5 @@ function makeShadowMaterial() {
 /** The materials of the level, those of what moves, and that of their shadows. */
 export function makeSurfaceMaterials() {
     const detail = makeDetailTexture();
-    const makeFading = () => ({ solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, { alphaHash: true }), clear: makePair(detail, {}).clear });
-    return { level: makePair(detail, {}), bodies: makePair(detail, { ofBody: true }), shadow: makeShadowMaterial(), makeFading };
+    return { level: makePair(detail, {}), bodies: makePair(detail, { ofBody: true }), shadow: makeShadowMaterial() };
 }
