@@ -10,6 +10,13 @@ const folder = process.argv[2] ?? path.resolve(path.dirname(fileURLToPath(import
 const viewport = { width: 860, height: 484 };
 const session = await open();
 
+/** Of the insides: feet, yaw and pitch to look by, and the shots before. */
+const kInsides = [
+    [[22.8, 9.8, 0.01], 0, 0.62, [[0.05, 0.72], [-0.05, 0.6]]], // a wall of brick
+    [[3.2, 9.4, 0.01], Math.PI, -0.1, [[Math.PI, -0.12], [Math.PI + 0.2, -0.02]]], // of concrete
+    [[60.4, 17, -0.99], Math.PI, -0.1, [[Math.PI, 0], [Math.PI - 0.25, -0.1]]], // a hut of wood
+    [[9.6, 6.6, 0.01], 0, 0.55, [[0.05, 0.55]]], // the bridge's steel
+];
 const only = process.argv[3] ?? '';
 const wanted = (...names) => names.some((name) => name.includes(only));
 

@@ -8,6 +8,7 @@ import { Doors } from './doors.js';
 import { FlyingView } from './flying_view.js';
 import { Grenades } from './grenades.js';
 import { kStopsSight } from './masks.js';
+import { Obstacles } from './obstacles.js';
 import { kSpeed, Rockets } from './rockets.js';
 import { add, along, length, subtract, times } from './vector.js';
 
@@ -22,10 +23,19 @@ export class Actors {
         const { firma, launcher, rooms, stage } = game;
         this.debrisView = new DebrisView(materials, (edit, point) => launcher.depth(edit, point));
         this.doorView = new DoorView(materials);
-        this.debris = new Debris(firma, launcher.matters, (change) => this.debrisView.change(change));
-        this.doors = new Doors(firma, rooms.portals, (portal) => this.#closed(portal), (change) => this.doorView.change(change));
+        this.debris = new Debris(firma, launcher.matters, (change) => {
+            this.debrisView.change(change);
+            this.chosen = false;
+        });
+        this.doors = new Doors(firma, rooms.portals, (portal) => this.#closed(portal), (door) => {
+            this.doorView.change({ added: [door], removed: [door] });
+            this.obstacles.changeDoor(door);
+        });
         this.doorView.change({ added: this.doors.all, removed: [] });
-        launcher.scene = () => this.doors.scene(launcher.world);
+        this.obstacles = new Obstacles(firma, this.doors, this.debris);
+        this.chosen = true; // whether the obstacles are those of the moment
+        launcher.scene = () => this.#scene();
+        launcher.matterOfPart = (part) => this.obstacles.of(part).piece?.matter ?? 'wood';
         this.rockets = new Rockets((from, path) => launcher.meet(from, path));
         this.grenades = new Grenades(firma, game.Projectiles);
         this.views = { rockets: FlyingView.rockets(), grenades: FlyingView.grenades() };
@@ -45,12 +55,14 @@ export class Actors {
     step(dt, walk) {
         for (const portal of this.broken.splice(0)) if (!this.game.rooms.portals[portal].open) this.game.launcher.turnPortal(portal, true);
         this.doors.begin(dt);
-        const scene = this.game.launcher.scene();
-        walk(scene);
         const start = performance.now();
-        this.#tumble(scene, dt);
+        this.#tumble(this.doors.scene(this.game.launcher.world), dt);
         this.game.bodyMs.add(performance.now() - start);
+        const scene = this.#scene();
+        this.obstacles.begin();
+        walk(scene);
         this.doors.arrive(this.game.player.caught);
+        this.obstacles.arrive();
         this.#fly(dt);
         if (this.debris.moving || this.doors.moving) this.sun.moving();
     }
@@ -97,7 +109,7 @@ export class Actors {
     doorAlong(from, path) {
         const { firma, launcher } = this.game;
         const hit = firma.castScene(launcher.scene(), { centre: from, radius: 0, path }, { mask: kStopsSight });
-        return hit.hit && hit.part !== null ? this.doors.all[hit.part] : null;
+        return hit.hit && hit.part !== null ? this.obstacles.of(hit.part).door ?? null : null;
     }
 
     useDoor(door) {
@@ -129,6 +141,13 @@ export class Actors {
             debris: { bodies: pieces.length, awake: pieces.filter(({ asleep }) => !asleep).length, triangles: this.debrisView.triangles, mass: pieces.reduce((sum, { mass }) => sum + mass, 0) },
             doors: { all: this.doors.all.length, moving: this.doors.moving, broken: this.doors.all.filter(({ broken }) => broken).length },
         };
+    }
+
+    /** The level with all that players and shots meet. */
+    #scene() {
+        if (!this.chosen) this.obstacles.choose();
+        this.chosen = true;
+        return { world: this.game.launcher.world, parts: this.obstacles.parts };
     }
 
     #closed(portal) {

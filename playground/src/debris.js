@@ -30,7 +30,7 @@ export class Debris {
     add(loose, version) {
         const added = [];
         loose.list().forEach((chunk, k) => {
-            const piece = this.#make(loose, k, { version, origin: chunk.origin, breaks: 0, inside: this.#insideOf(chunk) });
+            const piece = this.#make(loose, k, { version, origin: chunk.origin, breaks: 0, ...this.#stuffOf(chunk) });
             if (piece) added.push(piece);
         });
         this.#tell(added, []);
@@ -87,10 +87,11 @@ export class Debris {
         return false;
     }
 
-    /** The material inside of what it is mostly made of. */
-    #insideOf({ matters }) {
+    /** The matter that it is mostly made of, and the material of its inside. */
+    #stuffOf({ matters }) {
         const most = matters.reduce((best, one) => (one.volume > best.volume ? one : best), { matter: 0, volume: 0 });
-        return this.matters[most.matter].inside;
+        const { name, inside } = this.matters[most.matter];
+        return { matter: name, inside };
     }
 
     /** A body of a chunk; null where no sphere has room in it. */
@@ -122,7 +123,7 @@ export class Debris {
         after.release();
         const added = [];
         for (let k = 0; k < pieces.list().length; ++k) {
-            const one = this.#make(pieces, k, { version: piece.version, origin: piece.origin, inside: piece.inside, breaks: piece.breaks + 1, age: piece.age });
+            const one = this.#make(pieces, k, { version: piece.version, origin: piece.origin, matter: piece.matter, inside: piece.inside, breaks: piece.breaks + 1, age: piece.age });
             if (!one) continue;
             this.#place(one, frame, was);
             added.push(one);

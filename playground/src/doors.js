@@ -11,7 +11,7 @@ const kEdit = 1 << 20; // cuts of leaves are numbered from here
 export class Doors {
     /**
      * @param portals  of the level @param close  (portal): it has shut
-     * @param onChange  ({ added, removed }): doors whose leaf is another one
+     * @param onChange  (door): its leaf is another one
      */
     constructor(firma, portals, close, onChange = () => {}) {
         this.firma = firma;
@@ -31,7 +31,7 @@ export class Doors {
         this.edits = 0;
     }
 
-    /** The level with its doors, as casts, bodies and players take it. */
+    /** The level with its doors, as bodies meet it. */
     scene(world) {
         return this.all.length > 0 ? { world, parts: this.parts } : { world };
     }
@@ -64,7 +64,12 @@ export class Doors {
             const left = door.target - door.angle;
             door.turn = Math.sign(left) * Math.min(Math.abs(left), kSpeed * dt);
         }
-        this.parts.setMotions(this.all.map((door) => this.#motion(door)));
+        this.parts.setMotions(this.motions());
+    }
+
+    /** Of all leaves, in this step. */
+    motions() {
+        return this.all.map((door) => this.#motion(door));
     }
 
     /** @param blocked  the number of a door that somebody is caught in, or null: it goes back */
@@ -77,7 +82,7 @@ export class Doors {
             door.shutting = false;
             this.close(door.portal);
         }
-        if (this.all.length > 0) this.parts.setMotions(this.all.map((door) => this.#motion(door)));
+        if (this.all.length > 0) this.parts.setMotions(this.motions());
     }
 
     /** A blast takes of the leaves that it reaches. @returns the portals of those of which nothing is left */
@@ -91,7 +96,7 @@ export class Doors {
             door.world = after;
             door.broken = after.facts().faceCount === 0 || report.volume > 0.5 * before.measure().volume;
             this.parts.set(k, { world: after, motion: this.#motion(door) });
-            this.onChange({ added: [door], removed: [door] });
+            this.onChange(door);
             before.release();
             if (!door.broken) return;
             door.shutting = false;

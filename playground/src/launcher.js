@@ -28,6 +28,7 @@ export class Launcher {
         this.onLoose = onLoose;
         this.onBlast = onBlast;
         this.scene = () => this.world; // what flies meets, with what moves in it
+        this.matterOfPart = () => '';
         this.shots = 0;
         this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report, chunks, portals }
         this.cutMs = new Samples(60);
@@ -63,7 +64,7 @@ export class Launcher {
     meet(from, path) {
         const hit = this.firma.castScene(this.scene(), { centre: from, radius: 0, path }, { mask: kStopsSight });
         if (!hit.hit) return null;
-        if (hit.part !== null) return { hit, met: true, material: 'door', edit: 0, matter: 'wood' };
+        if (hit.part !== null) return { hit, met: true, material: 'part', edit: 0, matter: this.matterOfPart(hit.part) };
         return { hit, met: true, material: this.#nameOf(hit), edit: this.world.hitInfo(hit).sourceEdit, matter: this.#matterOf(hit) };
     }
 

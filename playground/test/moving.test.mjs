@@ -5,6 +5,7 @@ import test from 'node:test';
 import { throwBlast } from '../src/blast_particles.js';
 import { boxMesh } from '../src/crack.js';
 import { leafMesh, planDoor } from '../src/door_plans.js';
+import { turnBetween } from '../src/obstacles.js';
 import { Particles } from '../src/particles.js';
 import { Rockets } from '../src/rockets.js';
 import { felt, Shake } from '../src/shake.js';
@@ -133,6 +134,9 @@ test('turns and poses', () => {
     near(inside.position, [2, 0, 1]);
     near(turned(combine(quarter, inside.rotation), [1, 2, 3]), [1, 2, 3]);
     assert.equal(inside.scale, 3);
+    near(turnBetween(aboutUp(0.3), aboutUp(1)), [0, 0, 0.7]);
+    near(turnBetween(aboutUp(1), aboutUp(0.3).map((x) => -x)), [0, 0, -0.7]);
+    near(turnBetween(quarter, quarter), [0, 0, 0]);
 });
 
 const portal = (corners, name = 'a_b') => {
