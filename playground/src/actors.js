@@ -64,7 +64,7 @@ export class Actors {
         this.doors.arrive(this.game.player.caught);
         this.obstacles.arrive();
         this.#fly(dt);
-        if (this.debris.moving || this.doors.moving) this.sun.moving();
+        if (this.debris.moving || this.doors.moving) this.sun.moving(dt);
     }
 
     /** What a shot cut off. */

@@ -17,6 +17,7 @@ import { direction } from './vector.js';
 import { Weapons } from './weapons.js';
 
 const kFrames = 90;
+const kHardLanding = 5; // metres a second
 const kArm = 5; // metres: how far a door may be that one opens
 const summary = (samples) => ({ last: samples.last, least: samples.least(), median: samples.median(), count: samples.count });
 
@@ -82,6 +83,7 @@ export class Game {
         const start = performance.now();
         this.player.step(dt, keys, scene);
         this.moveUs.add(((performance.now() - start) * 1000) / this.player.moves);
+        if (this.player.landed > kHardLanding) this.show.hear('thud', this.player.feet, 0.3);
     }
 
     #playSet(dt) {

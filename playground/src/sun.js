@@ -5,7 +5,7 @@ import * as THREE from 'three';
 
 const kToSun = new THREE.Vector3(0.5, -0.42, 0.76).normalize();
 const kTexels = 2048;
-const kMovingEvery = 3; // frames: how often the map follows what moves
+const kMovingEvery = 4; // frames of the pace of the moment: how often the map follows what moves
 
 export class Sun {
     constructor(scene, renderer) {
@@ -23,7 +23,7 @@ export class Sun {
         this.light.shadow.normalBias = 0.05;
         this.light.shadow.radius = 1.5;
         scene.add(fill, this.light, this.light.target);
-        this.frames = 0;
+        this.since = 0; // seconds
     }
 
     /** The map covers this box. @param low, high  of the level, metres */
@@ -49,8 +49,11 @@ export class Sun {
         this.renderer.shadowMap.needsUpdate = true;
     }
 
-    /** Something moves: so is it, every few frames. */
-    moving() {
-        if (++this.frames % kMovingEvery === 0) this.changed();
+    /** Something moves, and dt seconds have gone by: the map follows now and then. */
+    moving(dt) {
+        this.since += dt;
+        if (this.since < kMovingEvery * dt) return;
+        this.since = 0;
+        this.changed();
     }
 }
