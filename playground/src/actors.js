@@ -105,11 +105,12 @@ export class Actors {
         return new Set(this.doors.all.filter((door) => !door.broken).map((door) => door.portal));
     }
 
-    /** The door that a ray meets before anything else, or null. */
+    /** The door that a ray meets before anything else and that can be used, or null. */
     doorAlong(from, path) {
         const { firma, launcher } = this.game;
         const hit = firma.castScene(launcher.scene(), { centre: from, radius: 0, path }, { mask: kStopsSight });
-        return hit.hit && hit.part !== null ? this.obstacles.of(hit.part).door ?? null : null;
+        const door = hit.hit && hit.part !== null ? this.obstacles.of(hit.part).door : null;
+        return door && !door.broken ? door : null;
     }
 
     useDoor(door) {
