@@ -94,8 +94,8 @@ export class Launcher {
         const size = Math.hypot(...away);
         const normal = size > 1e-6 ? away.map((x) => x / size) : [0, 0, 1];
         const pose = { position: point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
-        const dent = { point: near?.point ?? point, normal, scale: kCraterScale };
-        return Object.assign(this.#carve(seed, pose, dent), { normal, matter: near ? this.#matterOf(near) : '' });
+        const matter = near ? this.#matterOf(near) : '';
+        return Object.assign(this.#carve(seed, pose, { point: near?.point ?? point, normal, scale: kCraterScale }), { normal, matter });
     }
 
     /** A rocky crater wherever one likes, not turned. */
