@@ -26,7 +26,7 @@ export function turnBetween(from, to) {
 function between(from, to) {
     const turn = turnBetween(from.rotation, to.rotation);
     const path = subtract(to.position, from.position);
-    return Math.hypot(...turn) > kMostTurn ? standing(to) : { ...from, path, turn };
+    return Math.hypot(...turn) > kMostTurn ? standing(to) : { ...standing(from), path, turn };
 }
 
 export class Obstacles {
