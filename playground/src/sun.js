@@ -13,7 +13,7 @@ export class Sun {
         renderer.shadowMap.enabled = true;
         renderer.shadowMap.type = THREE.PCFShadowMap;
         renderer.shadowMap.autoUpdate = false;
-        scene.add(new THREE.HemisphereLight(0xdfe8f6, 0xa09486, 1.55));
+        scene.add(new THREE.HemisphereLight(0xdfe8f6, 0xa89c8e, 2.0));
         const fill = new THREE.DirectionalLight(0xbfd0e8, 0.45);
         fill.position.set(-0.6, 0.7, 0.25);
         this.light = new THREE.DirectionalLight(0xfff0d8, 2.1);
