@@ -38,9 +38,7 @@ export async function joltMover(mesh) {
     joltLevel(J, system, mesh);
     system.OptimizeBroadPhase();
     const up = new J.Vec3(0, 0, 1);
-    const capsule = new J.CapsuleShape(HALF, SIZE.radius);
     const shape = new J.RotatedTranslatedShapeSettings(new J.Vec3(0, 0, SIZE.height / 2), new J.Quat(...UPRIGHT), new J.CapsuleShapeSettings(HALF, SIZE.radius)).Create().Get();
-    J.destroy(capsule);
     const settings = new J.CharacterVirtualSettings();
     settings.mShape = shape;
     settings.mUp = up;
