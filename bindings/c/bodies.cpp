@@ -13,6 +13,7 @@
 #include "bindings/c/convert.h"
 #include "bindings/c/numbers.h"
 #include "bindings/c/objects.h"
+#include "bindings/c/scenes.h"
 
 namespace firma::c {
 namespace {
@@ -66,6 +67,7 @@ firma_body body_told(const Body& from) {
     out.mass = from.shape.mass();
     out.asleep = from.asleep;
     out.stuck = from.stuck;
+    out.crushed = from.crushed;
     return out;
 }
 
@@ -122,6 +124,29 @@ firma_code read_step(const firma_step_options* given, StepOptions& step, const c
     return FIRMA_OK;
 }
 
+/// A step of bodies, in the scene that `find_scene` fills.
+template <class FindScene>
+firma_code step_bodies(firma_bodies bodies, const FindScene& find_scene, double seconds,
+                       const firma_step_options* options, firma_step_report* report, const char* function) {
+    if (report && !sized(report)) return bad_call(function, kWrongSize);
+    StepOptions chosen;
+    if (const firma_code code = read_step(options, chosen, function)) return code;
+    if (!is_above_zero(seconds))
+        return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the seconds are not a finite number above zero");
+    SceneThere there;
+    if (const firma_code code = find_scene(there)) return code;
+    firma_code code = FIRMA_OK;
+    BodiesObject* const object = find_bodies(bodies, code, function);
+    if (!object) return code;
+    object->broken = true;  // unless it comes back
+    const StepReport made = step(object->bodies, there.scene(), seconds, chosen);
+    object->broken = false;
+    if (report)
+        put_sized({0, 0, made.awake, made.contacts, made.swept, made.bounces, made.woken, made.stuck, made.crushed},
+                  report);
+    return FIRMA_OK;
+}
+
 firma_body_contact contact_told(const BodyContact& from, const Bodies& bodies) {
     firma_body_contact out{};
     out.body = {from.body, bodies.slots[from.body].use};
@@ -132,6 +157,7 @@ firma_body_contact contact_told(const BodyContact& from, const Bodies& bodies) {
     out.face = from.face.id.value;
     put_corner(from.face, out.corner);
     out.portal = from.portal.value;
+    out.part = from.part;
     return out;
 }
 
@@ -353,22 +379,25 @@ void firma_step_options_defaults(firma_step_options* options) {
 firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds, const firma_step_options* options,
                              firma_step_report* report) {
     return guarded(__func__, [&, function = __func__] {
-        if (report && !sized(report)) return bad_call(function, kWrongSize);
-        StepOptions chosen;
-        if (const firma_code code = read_step(options, chosen, function)) return code;
-        if (!is_above_zero(seconds))
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the seconds are not a finite number above zero");
-        const WorldObject* const level = find<WorldObject>(world.id, function);
-        if (!level) return FIRMA_ERROR_BAD_HANDLE;
-        firma_code code = FIRMA_OK;
-        BodiesObject* const object = find_bodies(bodies, code, function);
-        if (!object) return code;
-        object->broken = true;  // unless it comes back
-        const StepReport made = step(object->bodies, level->world, seconds, chosen);
-        object->broken = false;
-        if (report)
-            put_sized({0, 0, made.awake, made.contacts, made.swept, made.bounces, made.woken, made.stuck}, report);
-        return FIRMA_OK;
+        const auto find_world = [&](SceneThere& there) {
+            const WorldObject* level = find<WorldObject>(world.id, function);
+            if (!level) return FIRMA_ERROR_BAD_HANDLE;
+            there.world = &level->world;
+            return FIRMA_OK;
+        };
+        return step_bodies(bodies, find_world, seconds, options, report, function);
+    });
+}
+
+firma_code firma_bodies_step_scene(firma_bodies bodies, const firma_scene* scene, double seconds,
+                                   const firma_step_options* options, firma_step_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        const auto read_scene = [&](SceneThere& there) {
+            if (const firma_code code = there.read(scene, function)) return code;
+            if (there.has_stretch()) return FIRMA_OK;
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the scene's stretch is not within 0..1");
+        };
+        return step_bodies(bodies, read_scene, seconds, options, report, function);
     });
 }
 

@@ -1579,6 +1579,8 @@ typedef struct firma_body {
     double mass;        /* kilograms. Told, not taken, as all below */
     uint32_t asleep;    /* 0 or 1 */
     uint32_t stuck;     /* 1: a sphere's centre was in solid in the last step */
+    uint32_t crushed;   /* 1: a part came upon it in the last step, and it could not give way */
+    uint32_t reserved;
 } firma_body;
 
 /* No bodies. */
@@ -1634,7 +1636,8 @@ typedef struct firma_step_report {
     uint32_t size; /* sizeof(firma_step_report) */
     uint32_t reserved;
     uint64_t awake, contacts, swept, bounces, woken;
-    uint64_t stuck; /* bodies with a sphere whose centre is in solid that came where they were: they move out */
+    uint64_t stuck;   /* bodies with a sphere whose centre is in solid that came where they were: they move out */
+    uint64_t crushed; /* bodies that a part came upon and that could not give way: the part goes over them */
 } firma_step_report;
 
 /* Moves all bodies on. `seconds`: above zero; of more than a quarter of a second, a quarter is made. `report` may be
@@ -1644,6 +1647,11 @@ typedef struct firma_step_report {
  * the bodies are lost: all but releasing them says FIRMA_ERROR_NO_MEMORY from then on. */
 FIRMA_API firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds,
                                        const firma_step_options* options, firma_step_report* report);
+/* The same among parts that go along the scene's stretch of their motions meanwhile, which carry, push and crush.
+ * Bodies do not move them. Part k has to be the same one from step to step. FIRMA_ERROR_OUT_OF_RANGE also for a stretch
+ * that is none. Costs also a look at each part for each body that is awake. docs/bodies.md. */
+FIRMA_API firma_code firma_bodies_step_scene(firma_bodies bodies, const firma_scene* scene, double seconds,
+                                             const firma_step_options* options, firma_step_report* report);
 
 /* What was pressed together in the last step. */
 typedef struct firma_body_contact {
@@ -1651,10 +1659,10 @@ typedef struct firma_body_contact {
     double point[3];           /* metres */
     double normal[3];          /* unit, toward `body` */
     double force;              /* along the normal, newtons */
-    uint32_t face;             /* of the world; FIRMA_NO_FACE of a body or a closed portal */
+    uint32_t face;             /* of the world or the part; FIRMA_NO_FACE of a body or a closed portal */
     int32_t corner[3];         /* the face's first, as in firma_hit */
     uint32_t portal;           /* a closed one, or FIRMA_NO_PORTAL */
-    uint32_t reserved;
+    uint32_t part;             /* that the face is of; FIRMA_NO_PART: of the level, of a body or a portal */
 } firma_body_contact;
 
 /* By slot of `body`, then of `other`; `count` gets how many, the first `capacity` are written. */

@@ -285,12 +285,86 @@ static void test_bad(firma_world room) {
     CHECK_OK(firma_bodies_release(bodies));
 }
 
+/* A ball on a lift: carried up, with the part named in its contact; crushed under one that comes down on it. */
+static void test_on_parts(firma_world room) {
+    const double positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
+    static const uint32_t corners[] = {3, 2, 1, 0, 5, 6, 7, 4, 1, 5, 4, 0, 2, 6, 5, 1, 3, 7, 6, 2, 0, 4, 7, 3};
+    static const uint32_t counts[] = {4, 4, 4, 4, 4, 4};
+    firma_mesh mesh = {.size = sizeof mesh, .positions = positions, .vertex_count = 8, .corners = corners};
+    mesh.corner_counts = counts;
+    mesh.face_count = 6;
+    firma_part lift;
+    firma_part_defaults(&lift);
+    CHECK_OK(firma_world_from_mesh(&mesh, "lift", NULL, &lift.world));
+    lift.motion.position[0] = lift.motion.position[1] = 4;
+    firma_scene scene;
+    firma_scene_defaults(&scene);
+    scene.world = room;
+    CHECK_OK(firma_parts_create(&scene.parts));
+    CHECK_OK(firma_parts_add(scene.parts, &lift, NULL));
+
+    firma_bodies bodies = {0};
+    const firma_body_shape ball = make_ball(0.5);
+    const firma_pose above = at(4, 4, 1.5);
+    firma_body_id id;
+    CHECK_OK(firma_bodies_create(&bodies));
+    CHECK_OK(firma_bodies_add(bodies, ball, &above, &id));
+    firma_step_report report = {.size = sizeof report};
+    for (int k = 0; k < 64; ++k) {
+        lift.motion.position[2] = k * kTick;
+        lift.motion.path[2] = kTick;
+        CHECK_OK(firma_parts_set_motions(scene.parts, &lift.motion, 1));
+        CHECK_OK(firma_bodies_step_scene(bodies, &scene, kTick, NULL, &report));
+        CHECK(report.crushed == 0);
+    }
+    CHECK(fabs(get(bodies, id).position[2] - 2.5) < 0.01 && get(bodies, id).crushed == 0);
+    firma_body_contact contact;
+    size_t count = 0;
+    CHECK_OK(firma_bodies_contacts(bodies, &contact, 1, &count));
+    CHECK(count == 1 && contact.part == 0 && contact.other.slot == FIRMA_NO_BODY && contact.normal[2] > 0.99);
+
+    /* It comes down from above, and there is the floor. */
+    firma_body low = get(bodies, id);
+    low.position[2] = 0.5;
+    CHECK_OK(firma_bodies_set(bodies, id, &low));
+    uint64_t crushed = 0;
+    for (int k = 0; k < 64; ++k) {
+        lift.motion.position[2] = 1.25 - k * kTick;
+        lift.motion.path[2] = -kTick;
+        CHECK_OK(firma_parts_set_motions(scene.parts, &lift.motion, 1));
+        CHECK_OK(firma_bodies_step_scene(bodies, &scene, kTick, NULL, &report));
+        crushed += report.crushed;
+        CHECK(report.crushed == get(bodies, id).crushed && get(bodies, id).position[2] > 0.498);
+    }
+    CHECK(crushed > 0);
+
+    /* Without parts it is the other call, to the bit. */
+    firma_bodies copy = {0};
+    const firma_scene level = {.size = sizeof level, .world = room, .to = 1};
+    CHECK_OK(firma_bodies_copy(bodies, &copy));
+    step(bodies, room, 8);
+    for (int k = 0; k < 8; ++k) CHECK_OK(firma_bodies_step_scene(copy, &level, kTick, NULL, NULL));
+    CHECK(hash_of_bodies(bodies) == hash_of_bodies(copy));
+
+    scene.to = 2;
+    CHECK_FAILS(firma_bodies_step_scene(bodies, &scene, kTick, NULL, NULL), FIRMA_ERROR_OUT_OF_RANGE, "stretch");
+    CHECK_FAILS(firma_bodies_step_scene(bodies, NULL, kTick, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_bodies_step_scene(bodies, &level, 0, NULL, NULL), FIRMA_ERROR_OUT_OF_RANGE, "seconds");
+    CHECK_OK(firma_parts_release(scene.parts));
+    CHECK_FAILS(firma_bodies_step_scene(bodies, &scene, kTick, NULL, NULL), FIRMA_ERROR_BAD_HANDLE, "parts");
+    CHECK_OK(firma_bodies_release(copy));
+    CHECK_OK(firma_body_shape_release(ball));
+    CHECK_OK(firma_bodies_release(bodies));
+    CHECK_OK(firma_world_release(lift.world));
+}
+
 void test_bodies(void) {
     const size_t before = firma_live_handles();
     const firma_world room = make_room();
     test_masses();
     test_fall(room);
     test_chunk();
+    test_on_parts(room);
     test_bad(room);
     CHECK_OK(firma_world_release(room));
     CHECK(firma_live_handles() == before);
