@@ -67,7 +67,7 @@ function scattered(name, level, count, least, most, seed) {
         const spin = [0, 1, 2].map(() => (most === 0 ? 0 : rng.uniform(-5, 5)));
         return { kind, position, rotation: turn.map((part) => part / size), velocity: way.map((x) => (x * speed) / far), spin };
     });
-    return { name, level, bodies, seconds: 10 };
+    return { name, level, bodies, seconds: 6 };
 }
 
 /** A floor of 256 m, 4 m thick. */
@@ -90,19 +90,19 @@ function stacks(firma, count, height) {
     for (let stack = 0; stack < count; ++stack)
         for (let k = 0; k < height; ++k)
             bodies.push({ kind, position: [2 * stack, 0, 0.25 + 0.5 * k], rotation: [0, 0, 0, 1], velocity: [0, 0, 0], spin: [0, 0, 0] });
-    return { name: 'stacks', level: slab(firma), bodies, seconds: 10 };
+    return { name: 'stacks', level: slab(firma), bodies, seconds: 6 };
 }
 
 /** @param mesh of the level, triangles */
 export function bodyScenes(firma, mesh, quick) {
     const world = firma.worldFromMesh(mesh);
     const level = { mesh, world, ...(({ low, high }) => ({ low, high }))(world.facts()) };
-    const share = quick ? 30 : 1;
+    const share = quick ? 15 : 1;
     const scenes = [
-        scattered('dropped', level, 300 / share, 0, 0, 5),
-        scattered('thrown at 1-30 m/s', level, 300 / share, 1, 30, 6),
-        scattered('shot at 100-300 m/s', level, 300 / share, 100, 300, 7),
-        stacks(firma, quick ? 1 : 20, 10),
+        scattered('dropped', level, 150 / share, 0, 0, 5),
+        scattered('thrown at 1-30 m/s', level, 150 / share, 1, 30, 6),
+        scattered('shot at 100-300 m/s', level, 150 / share, 100, 300, 7),
+        stacks(firma, quick ? 1 : 15, 10),
     ];
     for (const scene of scenes) if (quick) scene.seconds = 0.5;
     return scenes;

@@ -75,7 +75,9 @@ export async function joltMover(mesh) {
             if (onGround && falling < 0.1) rise = jump ? JUMP : 0;
             wished.Set(velocity[0], velocity[1], 0);
             const allowed = character.CancelVelocityTowardsSteepSlopes(wished);
-            next.Set(allowed.GetX(), allowed.GetY(), rise - GRAVITY * TICK);
+            // Its sample has a listener that keeps who stands from sliding down: the same without one.
+            const stands = onGround && !jump && velocity[0] === 0 && velocity[1] === 0;
+            next.Set(allowed.GetX(), allowed.GetY(), stands ? 0 : rise - GRAVITY * TICK);
             character.SetLinearVelocity(next);
             character.ExtendedUpdate(TICK, gravity, update, ...filters, allocator);
         },
