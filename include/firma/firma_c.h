@@ -5,9 +5,8 @@
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
  * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces or
  * bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own
- * function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are
- * never used twice.
- * Releasing 0 does nothing.
+ * function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers
+ * are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
