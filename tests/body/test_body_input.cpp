@@ -214,20 +214,6 @@ TEST(BodyInput, WhatSleptOnABodyThatIsPutElsewhereFalls) {
     EXPECT_NEAR(pair.bodies.find(pair.above)->position.z, 0.3, 0.01);
 }
 
-TEST(BodyInput, WhatSleptOnABodyThatIsDrawnAwaySlowlyFalls) {
-    const World world = ground();
-    OnASleeper pair(world);
-    for (int k = 0; k < 1500; ++k) {
-        Body& below = *pair.bodies.find(pair.below);
-        below.friction = 0;
-        below.asleep = false;
-        below.velocity = {0.05, 0, 0};
-        run(pair.bodies, world, 1);
-    }
-    EXPECT_GT(pair.bodies.find(pair.below)->position.x, 0.8);
-    EXPECT_LT(pair.bodies.find(pair.above)->position.z, 0.8);
-}
-
 TEST(BodyInput, WhatSleptOnASlotThatIsEmptiedFalls) {
     const World world = ground();
     OnASleeper pair(world);
