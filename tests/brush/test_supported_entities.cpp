@@ -53,20 +53,20 @@ TEST(SupportedEntities, ClassesThatCount) {
                                      [&](const Support& support) { return support.thing.entity == number; });
         return it == held.things.end() ? nullptr : &*it;
     };
-    constexpr double kUnit = 1.0 / 32, kFoot = 30 * 30 * kUnit * kUnit;
+    constexpr double kMetres = 1.0 / 32, kFootprint = 30 * 30 * kMetres * kMetres;
     EXPECT_EQ(held.things.size(), 8u);
-    EXPECT_NEAR(find(1)->lowered, 36 * kUnit, 1e-9);
-    EXPECT_NEAR(find(1)->area, kFoot, 1e-9);
-    EXPECT_NEAR(find(2)->lowered, 113 * kUnit, 1e-9);
+    EXPECT_NEAR(find(1)->lowered, 36 * kMetres, 1e-9);
+    EXPECT_NEAR(find(1)->area, kFootprint, 1e-9);
+    EXPECT_NEAR(find(2)->lowered, 113 * kMetres, 1e-9);
     EXPECT_EQ(find(3), nullptr) << "it floats";
-    EXPECT_NEAR(find(4)->area, 64 * kUnit * kUnit, 1e-9) << "12 units below the ceiling";
+    EXPECT_NEAR(find(4)->area, 64 * kMetres * kMetres, 1e-9) << "12 units below the ceiling";
     EXPECT_EQ(find(5)->area, 0) << "in the middle of the air";
     EXPECT_EQ(find(6), nullptr);
     EXPECT_EQ(find(7), nullptr);
-    EXPECT_NEAR(find(8)->lowered, 15 * kUnit, 1e-9);
-    EXPECT_NEAR(find(9)->lowered, 6 * kUnit, 1e-9);
-    EXPECT_NEAR(find(10)->area, 80 * 8 * kUnit * kUnit, 1e-9) << "the door stands on the floor";
-    EXPECT_NEAR(find(11)->area, 40 * 4 * kUnit * kUnit, 1e-9) << "the shelf is a unit from the wall";
+    EXPECT_NEAR(find(8)->lowered, 15 * kMetres, 1e-9);
+    EXPECT_NEAR(find(9)->lowered, 6 * kMetres, 1e-9);
+    EXPECT_NEAR(find(10)->area, 80 * 8 * kMetres * kMetres, 1e-9) << "the door stands on the floor";
+    EXPECT_NEAR(find(11)->area, 40 * 4 * kMetres * kMetres, 1e-9) << "the shelf is a unit from the wall";
 }
 
 /// A lamp at a ceiling and a crate on the bridge, by the diff of the shots that take them away, and of the undo.
