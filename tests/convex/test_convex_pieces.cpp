@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Convex pieces: exactly the whole, exactly convex, few; and hulls near enough.
-#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include "tests/convex/convex_solids.h"
@@ -111,10 +110,10 @@ TEST(ConvexPieces, OfNeedles) {
     EXPECT_LE(pieces_of(test::without(block({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), slit.cutter().value())), 3u);
 }
 
-void judge_random_rubble(int first, int end) {
+TEST(ConvexPieces, OfRandomRubble) {
     ConvexJudgement judgement;
-    std::size_t pieces = 0, solids = 0, hollow = 0;
-    for (int seed = first; seed < end; ++seed) {
+    std::size_t most = 0, pieces = 0, solids = 0, hollow = 0;
+    for (int seed = 0; seed < test::sample(200); ++seed) {
         SCOPED_TRACE(seed);
         const Solid solid = test::random_rubble(std::uint64_t(seed));
         if (solid.face_count() == 0) continue;
@@ -126,43 +125,17 @@ void judge_random_rubble(int first, int end) {
         if (seed % 20 == 0) {
             EXPECT_EQ(test::hash_of(convex_pieces(solid, {.max_pieces = 4096}).value()), test::hash_of(result.value()));
         }
+        most = std::max(most, result.value().pieces.size());
         pieces += result.value().pieces.size();
         hollow += result.value().reflex_edges > 0;
     }
     EXPECT_GT(hollow, solids * 3 / 4);
     EXPECT_GT(pieces, solids * 4);
-    EXPECT_GT(judgement.inside, solids * 10);
-    EXPECT_GT(judgement.outside, solids * 5);
-    ::testing::Test::RecordProperty("pieces", int(pieces));
-    ::testing::Test::RecordProperty("pairs that no face parts", int(judgement.by_cut));
-}
-
-TEST(ConvexPieces, OfRandomRubble) {
-    judge_random_rubble(0, test::sample(25));
-}
-
-TEST(ConvexPieces, OfMuchRandomRubble) {
-    judge_random_rubble(0, test::sample(200));
-}
-
-TEST(ConvexPieces, JudgesSeeWhatIsWrong) {
-    const Solid l = boxes({{{0, 0, 0}, {3, 1, 1}}, {{0, 1, 0}, {1, 3, 1}}});
-    const test::JudgedPiece whole(l);
-    int highest = -1;
-    for (const Plane* plane : whole.planes) highest = std::max(highest, whole.highest(*plane));
-    EXPECT_EQ(highest, 1) << "an L is not convex";
-    const test::JudgedPiece one(block({0, 0, 0}, {2, 2, 2})), over(block({1, 1, 1}, {3, 3, 3})),
-        beside(block({2, 1, 1}, {3, 3, 3}));
-    EXPECT_FALSE(test::separated(one, over, one.planes));
-    EXPECT_TRUE(test::separated(one, beside, one.planes));
-    EXPECT_EQ(one.holds(ExactPoint(InputPoint{4096, 4096, 4096})), 1);
-    EXPECT_EQ(one.holds(ExactPoint(InputPoint{8192, 4096, 4096})), 0);
-    EXPECT_EQ(one.holds(ExactPoint(InputPoint{8193, 4096, 4096})), -1);
-    ConvexPieces pieces = convex_pieces(l).value();
-    pieces.pieces.pop_back();
-    std::vector<test::JudgedPiece> fewer;
-    for (const ConvexBody& piece : pieces.pieces) fewer.emplace_back(piece.solid);
-    EXPECT_NONFATAL_FAILURE(test::expect_volumes(l, fewer), "");
+    EXPECT_GT(judgement.inside, std::size_t(test::sample(200) * 10));
+    EXPECT_GT(judgement.outside, std::size_t(test::sample(200) * 5));
+    RecordProperty("pieces", int(pieces));
+    RecordProperty("most", int(most));
+    RecordProperty("pairs that no plane of the solid parts", int(judgement.by_cut));
 }
 
 TEST(ConvexPieces, OfRubbleOfTheDepot) {
@@ -221,7 +194,7 @@ TEST(ConvexPieces, HullsNearEnough) {
     // The middle of its hull's slope is 1 m from either arm.
     EXPECT_EQ(convex_pieces(l, {.max_concavity = 1.05}).value().pieces.size(), 1u);
     EXPECT_EQ(convex_pieces(l, {.max_concavity = 0.95}).value().pieces.size(), 2u);
-    for (int seed = 0; seed < test::sample(30); ++seed) {
+    for (int seed = 0; seed < test::sample(60); ++seed) {
         SCOPED_TRACE(seed);
         const Solid solid = test::random_rubble(std::uint64_t(seed));
         if (solid.face_count() > 0) judge_hulls(solid, seed % 2 ? 0.05 : 0.02, std::uint64_t(seed), judgement);
@@ -232,8 +205,8 @@ TEST(ConvexPieces, HullsNearEnough) {
         judge_hulls(chunk.solid, 0.03, exact, judgement);
         EXPECT_LE(convex_pieces(chunk.solid, {.max_concavity = 0.03}).value().pieces.size(), exact);
     }
-    EXPECT_GT(judgement.inside, std::size_t(test::sample(1000)));
-    EXPECT_GT(judgement.outside, std::size_t(test::sample(50)));
+    EXPECT_GT(judgement.inside, 1000u);
+    EXPECT_GT(judgement.outside, 50u);
 }
 
 TEST(ConvexPieces, WhatCannotBeIsRefused) {
