@@ -18,7 +18,11 @@ class OneShot : public FightPlan {
 public:
     FightOrders next(const FightGame& game) override {
         FightOrders orders;
-        if (game.figures().frames == 0) orders.fire.push_back({.at = {35, 29, 0.0}, .by_player = true});
+        if (game.figures().frames > 0) return orders;
+        FightShot shot;
+        shot.at = {35, 29, 0};
+        shot.by_player = true;
+        orders.fire.push_back(shot);
         return orders;
     }
 };
