@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER [NAME]], all or those whose name
-// has NAME in it. They leave out the line of times: frames that a program steps, drawn in software, say nothing about them.
+// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER [NAME]], all, or of the fire
+// fight, the insides and the phone those that have NAME in their name. They leave out the line of times: frames that a program steps, drawn in software, say nothing about them.
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -140,6 +140,11 @@ if (wanted('playground_phone')) {
     await call(page, 'step', 0.02, {});
     await shoot(page, 'playground_phone', 0.1, folder);
     await page.close();
+}
+
+if (only) {
+    await session.close();
+    process.exit();
 }
 
 // The hall, from its eastern side, after some shots.

@@ -233,7 +233,7 @@ test('many craters: what is drawn stays what is there', async () => {
 });
 
 test('keys and the mouse', async () => {
-    const { page, errors } = await load(session, '?level=first.obj');
+    const { page, errors } = await load(session, '?level=first.obj', { width: 560, height: 320 }); // its frames are those of the clock
     const until = (condition, value) => page.waitForFunction(condition, value);
     await page.evaluate(() => window.firmaPlayground.resume());
     const x = (await state(page)).position[0];
@@ -259,21 +259,20 @@ test('keys and the mouse', async () => {
         await until((v) => window.firmaPlayground.state().version === v, version);
     }
 
-    await page.mouse.click(500, 300); // takes the pointer, does not fire
+    await page.mouse.click(300, 200); // takes the pointer, does not fire
     await until(() => document.pointerLockElement !== null);
     assert.equal((await state(page)).version, 1);
     const turned = (await state(page)).yaw;
-    await page.mouse.move(600, 320);
+    await page.mouse.move(400, 220);
     await until((from) => window.firmaPlayground.state().yaw !== from, turned);
     await page.mouse.down(); // held, it goes on firing
-    await until(() => window.firmaPlayground.game.actors.rockets.fired >= 5);
+    await until(() => window.firmaPlayground.game.actors.rockets.fired >= 3);
     await page.mouse.up();
     await until(() => window.firmaPlayground.state().rockets === 0 && window.firmaPlayground.state().version > 1);
     const { fired } = await page.evaluate(() => window.firmaPlayground.game.actors.rockets);
     await page.mouse.down({ button: 'right' });
     await page.mouse.up({ button: 'right' });
     await until(() => window.firmaPlayground.state().grenades === 1);
-    await until(() => window.firmaPlayground.state().grenades === 0);
     assert.equal(await page.evaluate(() => window.firmaPlayground.game.actors.rockets.fired), fired);
     await page.keyboard.press('h');
     await until(() => document.body.classList.contains('without-help'));
