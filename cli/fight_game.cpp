@@ -144,7 +144,7 @@ void FightGame::blow(const FightRocket& rocket, const ShotEvent& event) {
     const PhaseTimer timer(figures_.phases[kCuts].total);
     const FightShot& shot = rocket.shot;
     const Vec3 way = (event.point - rocket.from) * (1 / std::max(length(event.point - rocket.from), 1e-9));
-    Blast blast;
+    firma::Blast blast;
     blast.at = event.point - way * kBeforeFace;
     blast.radius = kBlastRadius;
     blast.impulse = kBlastImpulse;
@@ -185,7 +185,7 @@ void FightGame::blow(const FightRocket& rocket, const ShotEvent& event) {
     flashes_.push_back({blast.at, shot.radius, seconds(), result.carve.status, loose, result.broken});
 }
 
-void FightGame::push_player(const Blast& blast) {
+void FightGame::push_player(const firma::Blast& blast) {
     const std::array<Sphere, 3> spheres = player_spheres(state_.player, shape_);
     const double seen = exposure(state_.world, blast.at, spheres);
     const Vec3 push = blast_impulse(blast, middle(), kPlayerArea, seen) * (1 / kPlayerMass);

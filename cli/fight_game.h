@@ -122,7 +122,7 @@ private:
     void fire(const FightShot& shot);
     void fly_rockets();
     void blow(const FightRocket& rocket, const ShotEvent& event);
-    void push_player(const Blast& blast);
+    void push_player(const firma::Blast& blast);
     void move_bodies();
     void tend();
     void move(const PlayerWish& wish);

@@ -2,6 +2,7 @@
 // Bodies, their shapes and contacts as bytes, and back.
 #pragma once
 
+#include <cstring>
 #include <map>
 #include <vector>
 
@@ -18,7 +19,14 @@ public:
     void put(ByteWriter& out) const;
 
 private:
-    std::map<std::vector<std::byte>, std::uint32_t> numbers_;
+    /// The shorter first, else by the first byte that differs.
+    struct InOrder {
+        bool operator()(const std::vector<std::byte>& a, const std::vector<std::byte>& b) const {
+            return a.size() != b.size() ? a.size() < b.size() : std::memcmp(a.data(), b.data(), a.size()) < 0;
+        }
+    };
+
+    std::map<std::vector<std::byte>, std::uint32_t, InOrder> numbers_;
     std::vector<const std::vector<std::byte>*> in_order_;
 };
 
