@@ -41,6 +41,15 @@ struct Mover {
         velocity += impulse * inverse_mass;
         spin += inverse_inertia * cross(from_centre, impulse);
     }
+    /// Elsewhere than it has come to. Its spin is as before seen from the body: so is its energy, however different its
+    /// moments are.
+    void put_at(const Vec3& where, const Quaternion& turned) {
+        const Vec3 seen{dot(matrix.column(0), spin), dot(matrix.column(1), spin), dot(matrix.column(2), spin)};
+        position = where;
+        rotation = turned;
+        turn_inertia();
+        spin = matrix * seen;
+    }
     /// Follows from the rotation.
     void turn_inertia() {
         matrix = matrix_of(rotation);

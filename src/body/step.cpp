@@ -15,6 +15,7 @@
 #include "body/step_parts.h"
 #include "body/stuck_bodies.h"
 #include "body/sweep_bodies.h"
+#include "body/turn_between.h"
 #include "body/world_contacts.h"
 #include "geometry/rounding.h"
 
@@ -255,6 +256,7 @@ private:
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
         BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, sound_, rules);
         sweep.run();
+        for (Mover& mover : movers_) slow_if_wedged(mover, sweep.met_only_level(mover.slot));
         report_.swept = sweep.swept();
         report_.bounces = sweep.bounces();
         report_.woken += sweep.woken();
@@ -263,6 +265,16 @@ private:
             body.crushed = sweep.is_crushed(mover.slot);
             report_.crushed += body.crushed;
         }
+    }
+
+    /// What bounces to and fro where it has no room comes to rest there, instead of falling on and on in its place.
+    void slow_if_wedged(Mover& mover, bool met_only_level) const {
+        constexpr double kNoWay = 1e-5;  // metres, of any point
+        if (!met_only_level) return;
+        const double turn = length(turn_between(mover.start_rotation, mover.rotation));
+        if (length(mover.position - mover.start) + turn * mover.shape->reach > kNoWay) return;
+        mover.velocity *= 0.5;
+        mover.spin *= 0.5;
     }
 
     bool is_pressed(std::uint32_t one, std::uint32_t other) const {

@@ -62,9 +62,7 @@ void BodySweep::run() {
         const Way& way = ways_[mover.slot];
         if (!way.swept) continue;
         const Pose end = pose_at(way.motion, 1);
-        mover.position = end.position;
-        mover.rotation = normalised(end.rotation);
-        mover.turn_inertia();
+        mover.put_at(end.position, normalised(end.rotation));
     }
 }
 
@@ -200,9 +198,7 @@ void BodySweep::wake(std::uint32_t slot) {
 Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
     const RigidMotion rest = rest_of(ways_[slot], at);
     Mover& mover = movers_[movers_of_slots_[slot]];
-    mover.position = rest.position;
-    mover.rotation = rest.rotation;
-    mover.turn_inertia();
+    mover.put_at(rest.position, rest.rotation);
     return mover;
 }
 
@@ -237,6 +233,7 @@ void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
     if (it.part != kNoPart) {
         terms.surface = parts_[it.part].velocity_of(it.point, it.at * rules_.seconds);
         way.pushed_by = it.part;
+        way.met_others = true;
     }
     const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
     if (is_between) way.ended = way.crushed = true;
@@ -256,6 +253,7 @@ void BodySweep::touch(const Touching& it) {
     terms.restitution = std::max(body.restitution, other.restitution);
     terms.friction = std::sqrt(body.friction * other.friction);
     ++ways_[it.other].met;
+    ways_[it.slot].met_others = ways_[it.other].met_others = true;
     Mover &one = mover_at(it.slot, it.at), &two = mover_at(it.other, it.at);
     const bool nearer = respond(one, &two, it.point, it.normal, terms);
     // What a part takes along takes along what has met enough.

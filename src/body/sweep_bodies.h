@@ -41,6 +41,10 @@ public:
     std::size_t woken() const { return woken_; }
     /// Of a slot: a part could not push it away.
     bool is_crushed(std::uint32_t slot) const { return slot < ways_.size() && ways_[slot].crushed; }
+    /// Whether a slot's body met something, and none of it was a part or another body.
+    bool met_only_level(std::uint32_t slot) const {
+        return slot < ways_.size() && ways_[slot].met > 0 && !ways_[slot].met_others;
+    }
 
 private:
     /// The straight piece of a body's way that it is on.
@@ -54,6 +58,7 @@ private:
         bool is_there = false, swept = false;
         bool ended = false;  ///< it stays where it is, whatever comes
         bool crushed = false;
+        bool met_others = false;  ///< parts or bodies
     };
     /// A touch that comes as long as both go on as they do now.
     struct Touching {
