@@ -26,6 +26,23 @@ double way_of(const RigidMotion& motion, double reach) {
     return length(motion.path) + length(motion.turn) * reach;
 }
 
+/// Twice the energy of a spin.
+double turning_of(const Mover& mover, const Vec3& spin) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double about = dot(mover.matrix.column(axis), spin);
+        sum += mover.shape->moments[axis] * about * about;
+    }
+    return sum;
+}
+
+/// The turn that brought it where it touches is straight, as its own was not: what comes nearer by that has to do so by
+/// its spin. The energy stays.
+void turn_as_swept(Mover& mover, const Vec3& turn) {
+    const double as_swept = turning_of(mover, turn);
+    if (as_swept > 0) mover.spin = turn * std::sqrt(turning_of(mover, mover.spin) / as_swept);
+}
+
 /// Whether it may be left where it is: it moved too little to be deeper than the skin.
 bool moved_clearly(const Mover& mover, const RigidMotion& motion) {
     return way_of(motion, mover.shape->reach) < mover.clear;
@@ -199,6 +216,7 @@ Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
     const RigidMotion rest = rest_of(ways_[slot], at);
     Mover& mover = movers_[movers_of_slots_[slot]];
     mover.put_at(rest.position, rest.rotation);
+    if (ways_[slot].piece == 0) turn_as_swept(mover, rest.turn);
     return mover;
 }
 
