@@ -20,7 +20,7 @@ class FireFight(CliTest):
             self.assertLessEqual(report['ms'][phase]['mean'], report['ms'][phase]['worst'])
 
     def test_depot(self):
-        seconds = 2.5 if SANITIZED else 7.0
+        seconds = 2.5 if SANITIZED else 12.0
         report = self.firma_json('demo', DEPOT, '--seconds', seconds)
         self.all_holds(report)
         self.assertEqual(report['frames'], 60 * seconds)
