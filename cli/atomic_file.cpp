@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <iterator>
 #include <span>
+#include <system_error>
 
 #include "cli/failure.h"
 
@@ -79,6 +80,14 @@ void end_cleanly_on_signals() {
 
 bool is_standard_output(const std::string& path) {
     return descriptor_named(path) == STDOUT_FILENO;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && !std::filesystem::is_directory(folder, error))
+        error = std::make_error_code(std::errc::not_a_directory);
+    if (error) throw Failure(folder, "cannot be made: " + error.message());
 }
 
 void refuse_overwriting(const std::string& out, const std::string& input) {

@@ -52,6 +52,10 @@ private:
 /// Whether a path given as an output means standard output.
 bool is_standard_output(const std::string& path);
 
+/// Makes a folder, and those that it lies in, where they are missing.
+/// @throws Failure with the system's reason
+void make_folder(const std::string& folder);
+
 /// Refuses an output that is one of the inputs.
 void refuse_overwriting(const std::string& out, const std::string& input);
 

@@ -33,12 +33,6 @@ std::string_view name_at(const World& world, const Vec3& point) {
     return room ? room->name : "";
 }
 
-bool is_depot(const World& world) {
-    return name_at(world, kUnderBridge) == "hall" && name_at(world, kWestOfWall) == "office_west" &&
-           name_at(world, kEastOfWall) == "office_middle" && locate(world, kBridge).where == Where::kSolid &&
-           locate(world, kWall).where == Where::kSolid;
-}
-
 Fired shoot(World& world, const Vec3& at, double radius, std::uint64_t seed) {
     FireOptions options;
     options.carve.chunks = ChunkOptions{.density = kDensity};
@@ -122,6 +116,12 @@ Json sight_json(const DemoSight& sight) {
 }
 
 }  // namespace
+
+bool is_depot(const World& world) {
+    return name_at(world, kUnderBridge) == "hall" && name_at(world, kWestOfWall) == "office_west" &&
+           name_at(world, kEastOfWall) == "office_middle" && locate(world, kBridge).where == Where::kSolid &&
+           locate(world, kWall).where == Where::kSolid;
+}
 
 std::optional<DemoDepot> shoot_depot(const World& world) {
     if (!is_depot(world)) return {};

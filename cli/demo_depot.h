@@ -45,8 +45,11 @@ struct DemoDepot {
     DemoHole hole;
 };
 
-/// Shoots at both, where a world is that of levels/depot.map, by the names of the rooms and the bridge between its
-/// walls. Nothing for other worlds. Pieces that come loose leave; with_anchors() was called before.
+/// Whether a world is that of levels/depot.map, by the names of the rooms and the bridge between its walls.
+bool is_depot(const World& world);
+
+/// Shoots at both, where is_depot(). Nothing for other worlds. Pieces that come loose leave; with_anchors() was called
+/// before.
 std::optional<DemoDepot> shoot_depot(const World& world);
 
 /// Where the bridge is seen from, as long as it is there.

@@ -28,7 +28,7 @@ namespace {
 constexpr const char* kFooter = R"(`firma VERB --help` tells what a verb takes and writes.
 
 Metres, seconds; right-handed; lines of files count from 1, a header included, everything else from 0.
-Exit codes: 0 done; 1 `check` found faults, or `demo` a disagreement; 2 a bad call or bad input.
+Exit codes: 0 done; 1 `check` found faults, `log verify`, `replay` or `demo` a disagreement; 2 a bad call or bad input.
 )";
 
 /// A missing descriptor would be given to the next file opened, and the level's bytes would land in it.
@@ -89,8 +89,9 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(30);
     app.get_formatter()->label("SUBCOMMAND", "VERB");
     app.get_formatter()->label("Subcommands", "Verbs");
-    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),  add_carve(app), add_log(app),
-                                  add_walk(app), add_draw(app),  add_serve(app), add_demo(app)};
+    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),     add_carve(app),
+                                  add_log(app),  add_walk(app),  add_simulate(app), add_replay(app),
+                                  add_draw(app), add_serve(app), add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);
     try {
         app.parse(gather_words(argc, argv));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fires casts and craters, asks an oracle without a tree whether casts are right, prints a table, draws pictures.
+// A fire fight (demo_fight.h); or casts and craters, an oracle without a tree that says whether casts are right, a
+// table and pictures.
 #include "cli/verbs.h"
 #include "firma/batch.h"
 
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/anchor_options.h"
@@ -22,6 +24,7 @@
 #include "cli/demo_casts.h"
 #include "cli/demo_craters.h"
 #include "cli/demo_depot.h"
+#include "cli/demo_fight.h"
 #include "cli/failure.h"
 #include "cli/find_camera.h"
 #include "cli/fire_blast.h"
@@ -30,6 +33,7 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_hits.h"
+#include "cli/tbb_tasks.h"
 #include "draw/draw_plan.h"
 #include "draw/draw_view.h"
 #include "draw/picture.h"
@@ -41,8 +45,11 @@ namespace {
 
 struct DemoArguments {
     LevelArguments level;
-    std::string out, casts, craters, seed;
+    std::string out, casts, craters, seed, frames, seconds;
     bool json = false;
+
+    /// Casts and craters in place of the fire fight.
+    bool wants_casts() const { return !out.empty() || !casts.empty() || !craters.empty(); }
 };
 
 constexpr std::size_t kSample = 2000;
@@ -50,8 +57,23 @@ constexpr std::size_t kMostOracleFaces = 40000000;  // faces the oracle looks at
 constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kDemoFooter =
-    R"(Without LEVEL it takes levels/depot.map, here or in the folder that Firma was built from. The picture goes to
-build/demo.svg where there is a levels/depot.map, else to firma_demo.svg; -o names another.
+    R"(Without LEVEL it takes levels/depot.map, here or in the folder that Firma was built from.
+
+It is a fire fight, at 60 frames a second: rockets fly and blow craters; what comes loose falls, breaks as its matter
+does, tumbles and comes to rest; a player walks about and is pushed by blasts. In the depot the bridge across the hall
+is shot at both ends and falls, then the crane and two pillars, and the player goes through a hole that was just blown in
+a wall; in other levels the player walks where there is room, fires at what it sees, and goes through the holes that come
+of it. All follows from the level and --seed; the hash at the end covers the world, all bodies, rockets and the player.
+
+After each frame it is judged: no sphere of a body may be deeper in the level than the contact offset and no centre in
+solid, no body lost, the player neither in solid nor overlapping anything nor stuck, and out of a closed level no ray may
+escape. The first fault ends it. A crater that would open a way out of the level is taken back.
+
+--frames FOLDER draws film strips of it, nine frames each: fight.png, and of the depot bridge.png. Bodies are drawn as
+the solids that they are.
+
+--casts, --craters or -o ask for casts and craters in place of the fire fight, and a picture: an SVG in build/demo.svg
+where there is a levels/depot.map, else in firma_demo.svg; -o names another.
 
 The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's
 diagonal to all of it. A sample is checked against a reference oracle without a tree, which asks the pair function of every
@@ -68,14 +90,21 @@ them. The picture shows the level after them;
 beside it, in FILE_view.png, stands a view before and after: of the depot's bridge, else the one that shows craters
 well. Levels without closed solids have nothing to carve.
 
---json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
+--json: of the fire fight level, frames, seconds, wall_seconds, rockets {fired, hit}, craters {done, nothing, refused,
+taken_back (of these)}, bodies {loose, broken, dust, unfit, pushes, max, end, at_rest, removed, lost, spheres_judged,
+deepest_mm}, player {way (metres), through_solid (times that it came to where the level was solid), pushed, rooms, at},
+blasts [{seconds, at, crater, loose, broken}], rays {cast, escaped}, ms {casts, cuts, bodies, debris, player: {mean,
+worst} of a frame, processor time}, hash, pictures, fault (null
+where all held).
+
+--json: of casts and craters level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
 casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, depot {bridge {shots,
 ms, chunks, crumbs, volume, mass, largest {volume, mass, centre}}, hole {ms, portals, portal (its id, or null), rooms [two names], area, before
 {distance, material, room}, after}} (null of other levels, and with --craters 0), craters {count, done, nothing,
 nothing_castable_only (of these), refused, median_ms, p99_ms, volume, chunks, chunk_volume, crumbs, faces_after, casts,
 casts_per_second, rays, escaped_before, escaped, checked, disagreements, hash}, view (null where there is none), out.
 
-Exit codes: 0 done; 1 the oracle disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
+Exit codes: 0 done; 1 something did not hold, the oracle disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
 )";
 
 struct Checked {
@@ -96,11 +125,6 @@ struct Results {
 
     std::size_t disagreements() const { return checked.disagreements + checked_after.disagreements; }
 };
-
-/// Spreads a batch over the threads that oneTBB has.
-void run_by_tbb(std::size_t count, void (*work)(void* context, std::size_t k), void* context, void*) {
-    tbb::parallel_for(std::size_t(0), count, [=](std::size_t k) { work(context, k); });
-}
 
 void fire(const World& world, const std::vector<Query>& queries, Results& results) {
     results.hits.resize(queries.size());
@@ -336,10 +360,7 @@ std::string default_picture() {
 
 void make_folder_of(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (folder.empty() || is_standard_output(path)) return;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw Failure(folder.string(), "cannot be made: " + error.message());
+    if (!folder.empty() && !is_standard_output(path)) make_folder(folder.string());
 }
 
 /// build/demo.svg -> build/demo_view.png
@@ -362,9 +383,8 @@ void draw_craters(const World& before, const std::string& out, Results& results)
     file.commit();
 }
 
-int run(const DemoArguments& given) {
+int run_casts(const DemoArguments& given) {
     DemoArguments arguments = given;
-    if (arguments.level.path.empty()) arguments.level.path = default_level();
     if (arguments.out.empty()) arguments.out = default_picture();
     const std::size_t count = arguments.casts.empty() ? 100000 : count_option("--casts", arguments.casts, 1, 10000000);
     const std::uint64_t seed =
@@ -397,18 +417,33 @@ int run(const DemoArguments& given) {
     return results.disagreements() > 0 || results.craters.leaks() ? 1 : 0;
 }
 
+int run(const DemoArguments& given) {
+    DemoArguments arguments = given;
+    if (arguments.level.path.empty()) arguments.level.path = default_level();
+    if (!arguments.wants_casts())
+        return run_fight({arguments.level, arguments.frames, arguments.seconds, arguments.seed, arguments.json});
+    for (const auto& [option, value] :
+         {std::pair("--frames", &arguments.frames), std::pair("--seconds", &arguments.seconds)})
+        if (!value->empty())
+            throw Failure(option, "is of the fire fight; --casts, --craters and -o ask for casts and craters instead");
+    return run_casts(arguments);
+}
+
 }  // namespace
 
 Verb add_demo(CLI::App& app) {
-    Command command(app, "demo", "Casts through our level, carves craters into it, checks, prints a table, draws");
+    Command command(app, "demo",
+                    "A fire fight in our level, judged frame by frame; or casts and craters; a table, pictures");
     const auto arguments = std::make_shared<DemoArguments>();
     add_level_arguments(command, arguments->level, false);
     add_rooms_option(command, arguments->level);
     add_matter_option(command, arguments->level);
-    add_out_option(command, arguments->out, "SVG to write (default: see below); its folder is made when missing",
-                   false);
-    command.add_option("--casts", arguments->casts, "N", "how many, 1 .. 10000000 (default 100000)");
-    command.add_option("--craters", arguments->craters, "N", "how many, 0 .. 100000 (default 200)");
+    add_out_option(command, arguments->out,
+                   "casts and craters: SVG to write (default: see below); its folder is made when missing", false);
+    command.add_option("--casts", arguments->casts, "N", "casts, 1 .. 10000000 (default 100000)");
+    command.add_option("--craters", arguments->craters, "N", "craters, 0 .. 100000 (default 200)");
+    command.add_option("--frames", arguments->frames, "FOLDER", "film strips of the fire fight; made when missing");
+    command.add_option("--seconds", arguments->seconds, "T", "of the fire fight, 0.1 .. 600 (default 20)");
     command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1 (default 1)");
     add_json_flag(command, arguments->json);
     command.set_footer(kDemoFooter);

@@ -20,6 +20,10 @@ Verb add_log(CLI::App& app);
 Verb add_walk(CLI::App& app);
 /// A plan and a section of a level, with casts, as SVG; or a view of it, as PNG.
 Verb add_draw(CLI::App& app);
+/// Steps a game by a script and records it.
+Verb add_simulate(CLI::App& app);
+/// Steps a recorded game again and compares it.
+Verb add_replay(CLI::App& app);
 /// A folder over HTTP on this machine, for the playground.
 Verb add_serve(CLI::App& app);
 /// Shows that it works: casts in our level, checked and drawn.

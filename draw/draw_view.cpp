@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/room_colours.h"
-#include "draw/svg_text.h"
+#include "draw/view_raster.h"
 #include "firma/level.h"
 #include "firma/rooms.h"
 
@@ -18,28 +18,17 @@ namespace firma::draw {
 namespace {
 
 constexpr int kSamples = 2;          // along each side of a pixel
-constexpr double kNear = 0.02;       // metres before the eye: nothing nearer is seen
 constexpr double kTooClose = 2;      // metres: a wall so near hides what a picture is to show
-constexpr double kTurn = 0.95;       // cosine of the angle from which on a turn of the surface is an edge
-constexpr double kJump = 0.02;       // of the depth: what lies farther behind its neighbour is another surface
 constexpr double kLift = 0.004;      // metres from a face to where its shadow ray begins
 constexpr double kLampShare = 0.55;  // of the way to the target, upward and to the left
-constexpr double kUpright = 1e-12;   // squared sine of a view to upward, below which they give no side to the right:
-                                     // at a millionth of a radian that still has ten good digits
 constexpr double kShadow = 0.66;     // light that is left in shadow
 constexpr double kEdgeShade = 0.5;   // light that is left on an edge
-constexpr std::uint32_t kNothing = ~0u;
-constexpr Vec3 kSkyColour = {0.70, 0.80, 0.90}, kWaterColour = {0.45, 0.62, 0.72};
+constexpr Vec3 kWaterColour = {0.45, 0.62, 0.72};
 constexpr Vec3 kOpenColour = {0.10, 0.80, 0.66}, kClosedColour = {0.85, 0.14, 0.12};
 constexpr double kPane = 0.22, kClosedPane = 0.5;  // share of a pane's colour in what is seen through it
 constexpr double kRoomWhite = 0.25;                // in a room's colour
 constexpr double kShadeOfNew = 0.72;               // of a room's colour, on faces that an edit made
 constexpr std::uint8_t kMostPanes = 6;             // in front of one another, that are told apart
-constexpr std::uint32_t kSeen = kStopsSight | kStopsLiquid;
-
-Vec3 unit(const Vec3& v) {
-    return v * (1 / length(v));
-}
 
 /// Along the normal of a polygon, twice its area long.
 Vec3 area_normal(std::span<const Vec3> corners) {
@@ -49,126 +38,6 @@ Vec3 area_normal(std::span<const Vec3> corners) {
     return sum;
 }
 
-/// The camera's own axes, right-handed.
-struct Frame {
-    Vec3 eye, right, up, forward;
-    double width, height;  ///< samples
-    double half;           ///< half the picture's width at distance 1
-
-    Frame(const Camera& camera, int samples)
-        : eye(camera.eye), width(camera.width * samples), height(camera.height * samples), half(1 / camera.zoom) {
-        forward = unit(camera.target - camera.eye);
-        Vec3 upward;
-        upward[camera.up] = 1;
-        right = cross(forward, upward);
-        if (dot(right, right) < kUpright) {  // straight up or down: any side will do
-            upward = {};
-            upward[(camera.up + 1) % 3] = 1;
-            right = cross(forward, upward);
-        }
-        right = unit(right);
-        up = cross(right, forward);
-    }
-
-    /// Right, up, forward.
-    Vec3 seen(const Vec3& point) const {
-        const Vec3 p = point - eye;
-        return {dot(p, right), dot(p, up), dot(p, forward)};
-    }
-    double column(const Vec3& p) const { return width / 2 * (1 + p.x / (p.z * half)); }
-    double row(const Vec3& p) const { return height / 2 - width / 2 * p.y / (p.z * half); }
-    /// Through the middle of a sample; its part along `forward` is 1.
-    Vec3 ray(double x, double y) const {
-        const double a = (x + 0.5) * 2 / width - 1, b = (height - 2 * (y + 0.5)) / width;
-        return forward + right * (a * half) + up * (b * half);
-    }
-};
-
-/// What each sample sees: the nearest face, and one over its distance.
-struct Buffer {
-    int width, height;
-    std::vector<double> nearness;
-    std::vector<std::uint32_t> face;
-
-    Buffer(int wide, int high)
-        : width(wide), height(high), nearness(std::size_t(wide) * std::size_t(high)), face(nearness.size(), kNothing) {}
-    std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
-};
-
-/// The corners before the eye.
-std::vector<Vec3> before_eye(const Frame& frame, const Face& face) {
-    std::vector<Vec3> seen, kept;
-    for (const Vec3& corner : face.corners) seen.push_back(frame.seen(corner));
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-        const Vec3 &a = seen[k], &b = seen[(k + 1) % seen.size()];
-        if (a.z >= kNear) kept.push_back(a);
-        if ((a.z >= kNear) != (b.z >= kNear)) kept.push_back(a + (b - a) * ((kNear - a.z) / (b.z - a.z)));
-    }
-    return kept;
-}
-
-/// The columns whose middles a convex outline covers in a row.
-struct Span {
-    int first = 0, end = 0;
-};
-Span covered(const std::vector<PagePoint>& outline, double y, int width) {
-    double low = INFINITY, high = -INFINITY;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const PagePoint &a = outline[k], &b = outline[(k + 1) % outline.size()];
-        if ((a.y <= y) == (b.y <= y)) continue;
-        const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-        low = std::min(low, x);
-        high = std::max(high, x);
-    }
-    if (!(low < high)) return {};
-    const double first = std::clamp(std::floor(low + 0.5), 0.0, double(width));
-    const double end = std::clamp(std::floor(high + 0.5), 0.0, double(width));
-    return {int(first), int(end)};
-}
-
-/// Clips are not seen, and glass is looked through.
-bool seen_from(const Vec3& eye, const Face& face) {
-    if ((face.mask & kSeen) == 0) return false;
-    const double side = dot(face.normal, eye - face.corners[0]);
-    return face.two_sided ? side != 0 : side > 0;
-}
-
-/// Calls put(sample, nearness) for each sample that a face covers.
-template <class Put>
-void paint(const Frame& frame, const Face& face, const Buffer& buffer, const Put& put) {
-    std::vector<PagePoint> outline;
-    double top = INFINITY, bottom = -INFINITY;
-    for (const Vec3& corner : before_eye(frame, face)) {
-        outline.push_back({frame.column(corner), frame.row(corner)});
-        top = std::min(top, outline.back().y);
-        bottom = std::max(bottom, outline.back().y);
-    }
-    if (outline.size() < 3) return;
-    const double away = dot(face.normal, face.corners[0] - frame.eye);
-    const int first_row = int(std::clamp(std::floor(top), 0.0, double(buffer.height)));
-    const int last_row = int(std::clamp(std::floor(bottom) + 1, 0.0, double(buffer.height)));
-    for (int y = first_row; y < last_row; ++y) {
-        const Span span = covered(outline, y + 0.5, buffer.width);
-        for (int x = span.first; x < span.end; ++x) {
-            const double nearness = dot(face.normal, frame.ray(x, y)) / away;  // of the plane: one over the distance
-            if (nearness <= 1.001 / kNear) put(buffer.at(x, y), nearness);
-        }
-    }
-}
-
-Buffer paint_all(const Frame& frame, std::span<const Face> faces) {
-    Buffer buffer(int(frame.width), int(frame.height));
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-        if (!seen_from(frame.eye, faces[k])) continue;
-        paint(frame, faces[k], buffer, [&](std::size_t at, double nearness) {
-            if (!(nearness > buffer.nearness[at])) return;
-            buffer.nearness[at] = nearness;
-            buffer.face[at] = std::uint32_t(k);
-        });
-    }
-    return buffer;
-}
-
 /// What each sample sees of portals, before the faces: how many panes, and which is the nearest.
 struct Panes {
     std::vector<std::uint8_t> open, closed;
@@ -176,7 +45,7 @@ struct Panes {
     std::vector<double> nearness;
 };
 
-Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer) {
+Panes paint_portals(const World& world, const ViewFrame& frame, const DepthBuffer& buffer) {
     const std::size_t samples = buffer.face.size();
     Panes panes{std::vector<std::uint8_t>(samples), std::vector<std::uint8_t>(samples),
                 std::vector<std::uint32_t>(samples, kNothing), std::vector<double>(samples)};
@@ -185,7 +54,7 @@ Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer
         for (const std::vector<Vec3>& polygon : portal_polygons(world, {id})) {
             Face pane;
             pane.corners = polygon;
-            pane.normal = unit(area_normal(polygon));
+            pane.normal = unit_of(area_normal(polygon));
             pane.two_sided = true;
             if (!seen_from(frame.eye, pane)) continue;
             paint(frame, pane, buffer, [&](std::size_t at, double nearness) {
@@ -202,7 +71,7 @@ Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer
 }
 
 /// A colour behind panes, and their rims.
-Vec3 behind(const Panes& panes, const Buffer& buffer, int x, int y, Vec3 colour) {
+Vec3 behind(const Panes& panes, const DepthBuffer& buffer, int x, int y, Vec3 colour) {
     const std::size_t at = buffer.at(x, y);
     for (int k = 0; k < panes.open[at]; ++k) colour = mixed(colour, kOpenColour, kPane);
     for (int k = 0; k < panes.closed[at]; ++k) colour = mixed(colour, kClosedColour, kClosedPane);
@@ -215,12 +84,12 @@ Vec3 behind(const Panes& panes, const Buffer& buffer, int x, int y, Vec3 colour)
 }
 
 /// Toward the lamp from the eye: up and to the left, so that rims throw shadows into what lies behind them.
-Vec3 way_to_lamp(const Frame& frame, const Camera& camera) {
+Vec3 way_to_lamp(const ViewFrame& frame, const Camera& camera) {
     return (frame.up - frame.right) * (kLampShare * length(camera.target - camera.eye));
 }
 
 /// Where the lamp hangs: as far that way as there is room.
-Vec3 lamp_of(const World& world, const Frame& frame, const Camera& camera) {
+Vec3 lamp_of(const World& world, const ViewFrame& frame, const Camera& camera) {
     const Vec3 path = way_to_lamp(frame, camera);
     CastOptions both;
     both.sides = Sides::kBoth;
@@ -239,26 +108,6 @@ bool in_shadow(const World& world, const Vec3& point, const Vec3& lamp) {
     CastOptions opaque;
     opaque.mask = kStopsSight;
     return cast_any(world, {point, 0.0}, lamp - point, opaque) != Status::kMiss;
-}
-
-/// Whether the surface turns or ends between two samples side by side.
-bool is_edge(const Buffer& buffer, std::span<const Face> faces, const Frame& frame, int x, int y, int other_x,
-             int other_y) {
-    if (other_x >= buffer.width || other_y >= buffer.height) return false;
-    const std::size_t here = buffer.at(x, y), there = buffer.at(other_x, other_y);
-    const std::uint32_t a = buffer.face[here], b = buffer.face[there];
-    if (a == b) return false;
-    if (a == kNothing || b == kNothing) return true;
-    if (dot(faces[a].normal, faces[b].normal) < kTurn) return true;
-    // How near the plane of the one would be at the other.
-    const Vec3& corner = faces[a].corners[0];
-    const double plane = dot(faces[a].normal, frame.ray(other_x, other_y)) / dot(faces[a].normal, corner - frame.eye);
-    return std::fabs(plane - buffer.nearness[there]) > kJump * buffer.nearness[there];
-}
-
-/// Faces of formats that know no contents have every bit.
-bool is_sky(const Face& face) {
-    return (face.mask & kIsSky) != 0 && face.mask != ~0u;
 }
 
 /// What a face is painted with.
@@ -285,17 +134,17 @@ std::vector<Vec3> paints_of(const World& world, std::span<const Face> faces, boo
 struct Scene {
     const World& world;
     const Camera& camera;
-    const Frame& frame;
+    const ViewFrame& frame;
     std::span<const Face> faces;
     std::vector<Vec3> paints;  ///< of each face
-    const Buffer& buffer;
+    const DepthBuffer& buffer;
     Vec3 lamp;
 };
 
 /// Red, green and blue of one sample, 0 .. 1.
 Vec3 colour_of(const Scene& scene, int x, int y) {
-    const Buffer& buffer = scene.buffer;
-    const Frame& frame = scene.frame;
+    const DepthBuffer& buffer = scene.buffer;
+    const ViewFrame& frame = scene.frame;
     const std::size_t at = buffer.at(x, y);
     if (buffer.face[at] == kNothing) return {};
     const Face& face = scene.faces[buffer.face[at]];
@@ -306,7 +155,7 @@ Vec3 colour_of(const Scene& scene, int x, int y) {
     const Vec3 point = frame.eye + ray * (1 / buffer.nearness[at]) + normal * kLift;
     Vec3 middle;
     for (const Vec3& corner : face.corners) middle = middle + corner * (1.0 / double(face.corners.size()));
-    const Vec3 toward = face.source_edit != 0 ? unit(scene.lamp - middle) : unit(frame.up - frame.right);
+    const Vec3 toward = face.source_edit != 0 ? unit_of(scene.lamp - middle) : unit_of(frame.up - frame.right);
     double light = light_on(normal, toward, scene.camera.up);
     if (in_shadow(scene.world, point, scene.lamp)) light *= kShadow;
     if (is_edge(buffer, scene.faces, frame, x, y, x + 1, y) || is_edge(buffer, scene.faces, frame, x, y, x, y + 1))
@@ -318,8 +167,8 @@ Vec3 colour_of(const Scene& scene, int x, int y) {
 
 Picture draw_view(const World& world, const Camera& camera, bool rooms) {
     const std::vector<Face> faces = world.faces();
-    const Frame frame(camera, kSamples);
-    const Buffer buffer = paint_all(frame, faces);
+    const ViewFrame frame(camera, kSamples);
+    const DepthBuffer buffer = paint_all(frame, faces);
     const Scene scene{
         world, camera, frame, faces, paints_of(world, faces, rooms), buffer, lamp_of(world, frame, camera)};
     std::optional<Panes> panes;
@@ -341,8 +190,8 @@ Picture draw_view(const World& world, const Camera& camera, bool rooms) {
 }
 
 double share_of_new_faces(std::span<const Face> faces, const Camera& camera) {
-    const Frame frame(camera, 1);
-    const Buffer buffer = paint_all(frame, faces);
+    const ViewFrame frame(camera, 1);
+    const DepthBuffer buffer = paint_all(frame, faces);
     double good = 0;
     for (std::size_t at = 0; at < buffer.face.size(); ++at) {
         if (buffer.face[at] == kNothing) continue;

@@ -11,18 +11,29 @@ namespace firma::draw {
 namespace {
 
 constexpr int kGap = 12;
+constexpr int kStripGap = 4;
+
+void put_into(Picture& whole, const Picture& part, int left, int top) {
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x) whole.at(left + x, top + y) = part.at(x, y);
+}
 
 }  // namespace
 
 Picture side_by_side(const Picture& left, const Picture& right) {
     Picture both(left.width + kGap + right.width, std::max(left.height, right.height), {255, 255, 255});
-    const auto put = [&](const Picture& part, int shift) {
-        for (int y = 0; y < part.height; ++y)
-            for (int x = 0; x < part.width; ++x) both.at(x + shift, y) = part.at(x, y);
-    };
-    put(left, 0);
-    put(right, left.width + kGap);
+    put_into(both, left, 0, 0);
+    put_into(both, right, left.width + kGap, 0);
     return both;
+}
+
+Picture film_strip(std::span<const Picture> frames, int columns) {
+    if (frames.empty()) return {};
+    const int count = int(frames.size()), across = std::min(columns, count), down = (count + columns - 1) / columns;
+    const int width = frames[0].width + kStripGap, height = frames[0].height + kStripGap;
+    Picture strip(across * width - kStripGap, down * height - kStripGap, {255, 255, 255});
+    for (int k = 0; k < count; ++k) put_into(strip, frames[std::size_t(k)], k % columns * width, k / columns * height);
+    return strip;
 }
 
 std::string png_bytes(const Picture& picture) {

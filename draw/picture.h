@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct Picture {
 
 /// Two pictures next to each other on white, with a gap.
 Picture side_by_side(const Picture& left, const Picture& right);
+
+/// Pictures of one size in rows of so many, from the top left, on white, with narrow gaps.
+/// @param columns  at least 1
+Picture film_strip(std::span<const Picture> frames, int columns);
 
 /// The bytes of a PNG, 8 bits a channel.
 /// @throws std::runtime_error for a picture that libpng cannot make, as one without pixels

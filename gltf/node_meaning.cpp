@@ -65,14 +65,15 @@ std::optional<std::uint32_t> mask_of(std::string_view text) {
 NodeMeaning meaning_of(std::string_view name, const Extras& extras, std::set<std::string>& notes) {
     NodeMeaning meaning;
     if (small_letters(name.substr(0, 6)) == "portal") meaning.portal = true;
-    for (const std::string_view wanted : {"portal", "firma_portal", "mask", "firma_mask"}) {  // ours last: it decides
+    for (const std::string_view wanted :
+         {"portal", "firma_portal", "part", "firma_part", "mask", "firma_mask"}) {  // ours last: it decides
         for (const auto& [key, text] : extras) {
             if (key != wanted) continue;
             const bool mask = wanted.ends_with("mask");
             const std::optional<std::uint32_t> bits = mask ? mask_of(text) : std::nullopt;
             const std::optional<bool> truth = mask ? std::nullopt : truth_of(text);
             if (bits) meaning.mask = bits;
-            if (truth) meaning.portal = truth;
+            if (truth) (wanted.ends_with("part") ? meaning.part : meaning.portal) = truth;
             if (!bits && !truth && notes.size() < kMostNotes)
                 notes.insert("extras." + std::string(wanted) + " of " + quote(text) + " is not understood" +
                              (mask ? ": words walk, shoot, see, liquid, sky, or none" : ": true or false"));

@@ -3,6 +3,8 @@
 // Source: Khronos Group, glTF 2.0 Specification, 2021, section 3.5.3.
 #include "gltf/placement.h"
 
+#include <cmath>
+
 namespace firma::gltf {
 namespace {
 
@@ -27,6 +29,63 @@ Placement operator*(const Placement& outer, const Placement& inner) {
     for (std::size_t k = 0; k < 3; ++k) both.column[k] = outer.turned(inner.column[k]);
     both.column[3] = outer.turned(inner.column[3]) + outer.column[3];
     return both;
+}
+
+namespace {
+
+/// The axes that columns are along, made unit and perpendicular, one after the other; none where they are flat.
+std::optional<std::array<Vec3, 3>> axes_of(const Placement& placement) {
+    const auto unit = [](const Vec3& v) { return v * (1 / length(v)); };
+    const Vec3& x = placement.column[0];
+    if (!(length(x) > 0)) return std::nullopt;
+    const Vec3 first = unit(x), y = placement.column[1] - first * dot(first, placement.column[1]);
+    if (!(length(y) > length(placement.column[1]) * 1e-9)) return std::nullopt;
+    const Vec3 second = unit(y);
+    return std::array{first, second, cross(first, second)};
+}
+
+}  // namespace
+
+std::array<double, 4> Frame::rotation() const {
+    const Vec3 &x = axis[0], &y = axis[1], &z = axis[2];
+    // Each is 4 q[k]^2: the largest is divided by.
+    const std::array<double, 4> square{1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z, 1 - x.x - y.y + z.z,
+                                       1 + x.x + y.y + z.z};
+    std::size_t k = 3;
+    for (std::size_t other = 0; other < 3; ++other)
+        if (square[other] > square[k]) k = other;
+    const double d = 2 * std::sqrt(square[k]), a = (y.z - z.y) / d, b = (z.x - x.z) / d, c = (x.y - y.x) / d;
+    const double xy = (x.y + y.x) / d, xz = (z.x + x.z) / d, yz = (y.z + z.y) / d, own = d / 4;
+    switch (k) {
+        case 0:
+            return {own, xy, xz, a};
+        case 1:
+            return {xy, own, yz, b};
+        case 2:
+            return {xz, yz, own, c};
+        default:
+            return {a, b, c, own};
+    }
+}
+
+Placement Frame::inside(const Placement& placement) const {
+    Placement seen;
+    const auto back = [&](const Vec3& v) { return Vec3{dot(axis[0], v), dot(axis[1], v), dot(axis[2], v)}; };
+    for (std::size_t k = 0; k < 3; ++k) seen.column[k] = back(placement.column[k]);
+    seen.column[3] = back(placement.column[3] - position);
+    return seen;
+}
+
+Frame frame_of(const Placement& node, const Placement& root) {
+    Frame frame;
+    frame.position = node.column[3];
+    const auto turned = axes_of(node), file = axes_of(root);
+    if (!turned || !file) return frame;
+    for (int k = 0; k < 3; ++k) {  // turned * transposed file
+        frame.axis[std::size_t(k)] = {};
+        for (std::size_t c = 0; c < 3; ++c) frame.axis[std::size_t(k)] += (*turned)[c] * (*file)[c][k];
+    }
+    return frame;
 }
 
 Placement placement_of_file(int up, double scale) {

@@ -23,6 +23,20 @@ struct Placement {
     bool mirrors() const { return dot(cross(column[0], column[1]), column[2]) < 0; }
 };
 
+/// A turn and a place: what is rigid of a placement.
+struct Frame {
+    std::array<Vec3, 3> axis{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  ///< unit, right-handed
+    Vec3 position;
+
+    std::array<double, 4> rotation() const;  ///< as a Quaternion (turn.h)
+    /// What is placed, as seen from the frame.
+    Placement inside(const Placement& placement) const;
+};
+
+/// Of a part: where its node stands, turned as that is, less the turn of the file's axes. Scales and mirrors are left
+/// to what is inside. A placement that flattens all to a plane or less has the file's turn.
+Frame frame_of(const Placement& node, const Placement& root);
+
 /// First `inner`, then `outer`.
 Placement operator*(const Placement& outer, const Placement& inner);
 

@@ -55,11 +55,20 @@ public:
 
     Result<GltfLevel> make() {
         builder_.mend_what_is_dropped();
-        Result<std::vector<SceneNode>> nodes =
-            gltf::scene_nodes(file_, gltf::placement_of_file(options_.up, options_.scale), notes_);
+        const Placement root = gltf::placement_of_file(options_.up, options_.scale);
+        const Result<std::vector<SceneNode>> nodes = gltf::scene_nodes(file_, root, options_.parts, notes_);
         if (!nodes) return nodes.error();
-        for (const SceneNode& node : nodes.value())
+        for (const SceneNode& node : nodes.value()) {
+            const tinygltf::Node& from = file_.model.nodes[node.index];
+            made_.nodes.push_back(
+                {node.index, from.name, node.placement.column[3], file_.rest.node_extras[node.index]});
+            if (node.part != gltf::kNoNode) continue;
             if (std::optional<Error> error = add_node(node)) return *std::move(error);
+        }
+        for (const SceneNode& node : nodes.value()) {
+            if (node.part != node.index) continue;
+            if (std::optional<Error> error = add_part(node, nodes.value(), root)) return *std::move(error);
+        }
         if (sources_ == 0) return Error{ErrorCode::kMalformed, file_.name, "has no triangle in its scene"};
         made_.level = builder_.finish(sources_, ignored_ + file_.rest.cameras + file_.rest.animations, omissions());
         made_.level.matters = std::move(matters_);
@@ -75,7 +84,6 @@ private:
 
     std::optional<Error> add_node(const SceneNode& node) {
         const tinygltf::Node& from = file_.model.nodes[node.index];
-        made_.nodes.push_back({node.index, from.name, node.placement.column[3], file_.rest.node_extras[node.index]});
         if (from.mesh < 0) return std::nullopt;
         if (std::size_t(from.mesh) >= file_.model.meshes.size())
             return fail(ErrorCode::kMalformed, file_.name + ": node " + std::to_string(node.index),
@@ -93,6 +101,32 @@ private:
             if (std::optional<Error> error = add_primitive(mesh.primitives[k])) return error;
         }
         if (node.portal) add_portal(node);
+        return std::nullopt;
+    }
+
+    /// A part's level, by a maker of its own; triangles of all count against one limit.
+    std::optional<Error> add_part(const SceneNode& part, const std::vector<SceneNode>& nodes, const Placement& root) {
+        const gltf::Frame frame = gltf::frame_of(part.placement, root);
+        LevelMaker maker(file_, options_);
+        maker.builder_.mend_what_is_dropped();
+        maker.taken_ = taken_;
+        for (const SceneNode& node : nodes) {
+            if (node.part != part.index) continue;
+            if (node.portal) notes_.insert("portals in parts are left out");
+            SceneNode inside = node;
+            inside.placement = frame.inside(node.placement);
+            if (std::optional<Error> error = node.portal ? std::nullopt : maker.add_node(inside)) return error;
+        }
+        taken_ = maker.taken_;
+        notes_.insert(maker.notes_.begin(), maker.notes_.end());
+        if (maker.sources_ == 0) {
+            notes_.insert("a part without triangles is left out");
+            return std::nullopt;
+        }
+        Level level = maker.builder_.finish(maker.sources_, maker.ignored_, {});
+        level.matters = std::move(maker.matters_);
+        made_.parts.push_back(
+            {file_.model.nodes[part.named].name, part.index, frame.position, frame.rotation(), std::move(level)});
         return std::nullopt;
     }
 

@@ -2,6 +2,8 @@
 // Walks the trees of nodes, without recursion: a file may nest them as deeply as it likes.
 #include "gltf/scene_nodes.h"
 
+#include <algorithm>
+
 #include "gltf/node_meaning.h"
 
 namespace firma::gltf {
@@ -9,8 +11,8 @@ namespace {
 
 class Walk {
 public:
-    Walk(const GltfFile& file, std::set<std::string>& notes)
-        : file_(file), nodes_(file.model.nodes), notes_(notes), seen_(nodes_.size()) {}
+    Walk(const GltfFile& file, const std::vector<std::string>& parts, std::set<std::string>& notes)
+        : file_(file), nodes_(file.model.nodes), parts_(parts), notes_(notes), seen_(nodes_.size()) {}
 
     Result<std::vector<SceneNode>> from(const SceneNode& above) {
         if (std::optional<Error> error = push_roots(above)) return *error;
@@ -73,11 +75,15 @@ private:
         const NodeMeaning meaning = meaning_of(name, file_.rest.node_extras[node.index], notes_);
         node.portal = meaning.portal.value_or(node.portal);
         node.mask = meaning.mask.value_or(node.mask);
+        const bool is_named = std::find(parts_.begin(), parts_.end(), name) != parts_.end();
+        if (meaning.part.value_or(is_named)) node.part = node.index;
+        if (meaning.part == false) node.part = kNoNode;
         if (!name.empty()) node.named = node.index;
     }
 
     const GltfFile& file_;
     const std::vector<tinygltf::Node>& nodes_;
+    const std::vector<std::string>& parts_;
     std::set<std::string>& notes_;
     std::vector<bool> seen_;
     std::vector<SceneNode> waiting_, done_;
@@ -85,10 +91,11 @@ private:
 
 }  // namespace
 
-Result<std::vector<SceneNode>> scene_nodes(const GltfFile& file, const Placement& root, std::set<std::string>& notes) {
+Result<std::vector<SceneNode>> scene_nodes(const GltfFile& file, const Placement& root,
+                                           const std::vector<std::string>& parts, std::set<std::string>& notes) {
     SceneNode above;
     above.placement = root;
-    return Walk(file, notes).from(above);
+    return Walk(file, parts, notes).from(above);
 }
 
 }  // namespace firma::gltf

@@ -12,18 +12,23 @@
 
 namespace firma::gltf {
 
+inline constexpr std::uint32_t kNoNode = ~0u;
+
 struct SceneNode {
     std::uint32_t index = 0;
     Placement placement;  ///< to the level's metres
     bool portal = false;
     std::uint32_t mask = ~0u;
-    std::uint32_t named = 0;  ///< the node itself, or the nearest above that has a name
+    std::uint32_t part = kNoNode;  ///< the node itself, or the nearest above, that is a part; kNoNode: of the level
+    std::uint32_t named = 0;       ///< the node itself, or the nearest above that has a name
 };
 
 /// Of the default scene, else the first, else all nodes; a parent before its children, in the file's order.
+/// @param parts  names of nodes that are parts, besides those whose extras say so
 /// @param notes  as meaning_of()'s
 /// @return kMalformed for a scene or node that is not there, a node reached twice (as in a loop), a transform that is
 ///         not affine
-Result<std::vector<SceneNode>> scene_nodes(const GltfFile& file, const Placement& root, std::set<std::string>& notes);
+Result<std::vector<SceneNode>> scene_nodes(const GltfFile& file, const Placement& root,
+                                           const std::vector<std::string>& parts, std::set<std::string>& notes);
 
 }  // namespace firma::gltf

@@ -110,6 +110,7 @@ int run_all(const Settings& settings) {
     std::vector<std::unique_ptr<BodyPeer> (*)()> peers{make_firma_bodies};
 #ifdef FIRMA_WITH_BULLET
     peers.push_back(make_bullet_bodies);
+    peers.push_back(make_bullet_bodies_with_margin);
 #endif
     for (const auto& make : peers) std::printf("%s\n", make()->describe().c_str());
     Table table("bodies", {"scene", "library", "bodies", "ms a step", "worst ms", "of Firma's", "lost", "deepest mm",

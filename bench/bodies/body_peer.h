@@ -30,6 +30,8 @@ public:
 };
 
 std::unique_ptr<BodyPeer> make_firma_bodies();
-std::unique_ptr<BodyPeer> make_bullet_bodies();  ///< where it was found
+// Where it was found.
+std::unique_ptr<BodyPeer> make_bullet_bodies();
+std::unique_ptr<BodyPeer> make_bullet_bodies_with_margin();  ///< as it comes: walls 4 cm thicker
 
 }  // namespace firma::bench

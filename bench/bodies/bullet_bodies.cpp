@@ -27,12 +27,17 @@ Quaternion our_turn(const btQuaternion& q) {
     return {double(q.x()), double(q.y()), double(q.z()), double(q.w())};
 }
 
+/// Metres: what Bullet keeps meshes away by unless it is told otherwise (CONVEX_DISTANCE_MARGIN).
+constexpr double kUsualMargin = 0.04;
+
 class BulletBodies final : public BodyPeer {
 public:
-    std::string name() const override { return "Bullet"; }
+    explicit BulletBodies(double margin) : margin_(margin) {}
+    std::string name() const override { return margin_ > 0 ? "Bullet, its margin" : "Bullet"; }
     std::string describe() const override {
-        return "Bullet " + std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100) +
-               ": btCompoundShape of spheres, btBvhTriangleMeshShape of margin 0, steps of 1/240 s, 10 iterations "
+        return name() + " " + std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100) +
+               ": btCompoundShape of spheres, btBvhTriangleMeshShape of margin " + std::to_string(margin_) +
+               ", steps of 1/240 s, 10 iterations "
                "(the default), continuous collision detection from the radius of the thinnest sphere on";
     }
 
@@ -69,7 +74,7 @@ private:
                 mesh_.addTriangle(bullet_vector(face.corners[0]), bullet_vector(face.corners[k - 1]),
                                   bullet_vector(face.corners[k]));
         mesh_shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, true);
-        mesh_shape_->setMargin(0);
+        mesh_shape_->setMargin(btScalar(margin_));
         btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, mesh_shape_.get());
         info.m_friction = btScalar(std::sqrt(StepOptions().contact_friction));
         info.m_restitution = 1;  // it takes the product of two
@@ -104,6 +109,7 @@ private:
         bodies_.push_back(std::move(own));
     }
 
+    const double margin_;  ///< of the mesh, metres
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
@@ -120,7 +126,10 @@ private:
 }  // namespace
 
 std::unique_ptr<BodyPeer> make_bullet_bodies() {
-    return std::make_unique<BulletBodies>();
+    return std::make_unique<BulletBodies>(0);
+}
+std::unique_ptr<BodyPeer> make_bullet_bodies_with_margin() {
+    return std::make_unique<BulletBodies>(kUsualMargin);
 }
 
 }  // namespace firma::bench

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Firma's module in node beside jolt-physics, rapier3d-simd-compat and manifold-3d; tables as CSV into a folder.
+# Firma's modules in node beside jolt-physics, rapier3d-simd-compat and manifold-3d; tables as CSV into a folder.
 #
 #   bench/node/run.sh [--quick] [--csv FOLDER]
 set -euo pipefail
@@ -14,9 +14,11 @@ cd "$(dirname "$0")/../.."
 need_build
 need_module
 cmake --preset wasm >/dev/null
-cmake --build --preset wasm --target firma_wasm firma_readers_wasm >/dev/null
+cmake --build --preset wasm --target firma_wasm firma_games_wasm firma_readers_wasm >/dev/null
 cd bench/node
 npm ci --omit=optional --no-fund --no-audit --silent
 node bench_casts.mjs "${arguments[@]}"
 node bench_cuts.mjs "${arguments[@]}"
 node bench_sweeps.mjs "${arguments[@]}"
+node bench_bodies.mjs "${arguments[@]}"
+node bench_players.mjs "${arguments[@]}"

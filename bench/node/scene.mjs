@@ -109,6 +109,22 @@ function addPanelBox(maker, rng, low, size, count, bump, room) {
         }
 }
 
+/** A mesh whose vertices at one place are one: what libraries find the neighbours of an edge by. */
+export function welded(positions, corners) {
+    const maker = new MeshMaker();
+    const point = (k) => Array.from(positions.subarray(3 * k, 3 * k + 3));
+    for (let k = 0; k < corners.length; k += 3) maker.triangle(point(corners[k]), point(corners[k + 1]), point(corners[k + 2]));
+    return maker.mesh();
+}
+
+/** Rooms in rock that reaches to infinity, { low, size, count, bump } each: panels of two triangles, count of them along each axis. */
+export function panelRooms(rooms) {
+    const rng = new Rng(7);
+    const maker = new MeshMaker();
+    for (const { low, size, count, bump } of rooms) addPanelBox(maker, rng, low, size, count, bump, true);
+    return maker.mesh();
+}
+
 /** Rooms of 12 x 12 x 6 m in a block of rock, so many each way; walls bumpy, 2592 triangles a room. */
 export function bumpyRooms(rooms) {
     const rng = new Rng(7);

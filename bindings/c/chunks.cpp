@@ -15,15 +15,6 @@
 namespace firma::c {
 namespace {
 
-void put_mass(const MassProperties& from, firma_mass& to) {
-    to.volume = from.volume;
-    to.mass = from.mass;
-    put(from.centre, to.centre);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            to.inertia[3 * row + column] = from.inertia[std::size_t(row)][column];
-}
-
 firma_code judge_density(double density, const char* function) {
     if (is_finite(density) && density >= 0) return FIRMA_OK;
     return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the density is not a finite number, or is negative");
@@ -100,7 +91,7 @@ firma_code firma_world_mass(firma_world world, double density, firma_mass* mass)
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = judge_density(density, function)) return code;
-        put_mass(mass_properties(object->world.solid(), density), *mass);
+        put(mass_properties(object->world.solid(), density), *mass);
         return FIRMA_OK;
     });
 }
@@ -126,7 +117,7 @@ firma_code firma_chunks_get(firma_chunks chunks, size_t chunk, firma_chunk* out)
         const Box bounds = found->solid.bounds();
         firma_chunk made{};
         put(found->origin, made.origin);
-        put_mass(found->mass, made.mass);
+        put(found->mass, made.mass);
         made.face_count = found->solid.face_count();
         put(bounds.low, made.low);
         put(bounds.high, made.high);

@@ -10,6 +10,7 @@
 #include "bindings/c/calls.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/mass.h"
 #include "firma/matter.h"
 #include "firma/queries.h"
 #include "firma/vec.h"
@@ -24,6 +25,14 @@ inline void put(const Vec3& v, double (&out)[3]) {
     out[0] = v.x;
     out[1] = v.y;
     out[2] = v.z;
+}
+inline void put(const MassProperties& from, firma_mass& to) {
+    to.volume = from.volume;
+    to.mass = from.mass;
+    put(from.centre, to.centre);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            to.inertia[3 * row + column] = from.inertia[std::size_t(row)][column];
 }
 
 inline std::string text_of(const char* text) {

@@ -26,7 +26,16 @@ enum class Kind : std::uint8_t {
     kCommand,
     kLog,
     kReplay,
-    kHull
+    kHull,
+    kParts,
+    kPlayerShape,
+    kBodyShape,
+    kBodies,
+    kShotEvents,
+    kPiercing,
+    kDebris,
+    kSupports,
+    kConvexPieces
 };
 
 /// What a handle may stand for; deleted when it is released.

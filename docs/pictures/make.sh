@@ -25,4 +25,7 @@ rm -r "$(dirname "$bare")"
 folder=$(mktemp -d)
 "$firma" demo levels/depot.map --craters 1 -o "$folder/demo.svg"
 mv "$folder/demo_view.png" $pictures/depot_bridge.png
+"$firma" demo levels/depot.map --frames "$folder"
+mv "$folder/bridge.png" $pictures/fight_bridge.png
+mv "$folder/fight.png" $pictures/fight.png
 rm -r "$folder"

@@ -47,7 +47,9 @@ struct Brush {
     std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides, behind those of the brush before
     std::uint32_t entity = 0;                      ///< index into BrushLevel::entities, or 0
     BrushKind kind = BrushKind::kSolid;
-    bool detail = false;     ///< the author marked it as detail: joined all the same
+    bool detail = false;  ///< the author marked it as detail: joined all the same
+    /// Of an entity that moves, whose `kind` is kData: what it is in the part that it makes (brush_parts.h).
+    BrushKind part_kind = BrushKind::kData;
     std::uint32_t line = 0;  ///< where it begins in the file, from 1; 0 where the format has none
 };
 
@@ -94,6 +96,8 @@ struct BrushLevel {
     /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
     double max_shift = 0;
+    /// Brushes of an entity with an `origin` are placed from there, as in a .bsp; else all stand where they are.
+    bool placed_from_origins = false;
 };
 
 /// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks

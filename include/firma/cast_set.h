@@ -5,24 +5,12 @@
 #include <cstdint>
 
 #include "firma/export.h"
+#include "firma/motion.h"
 #include "firma/queries.h"
 #include "firma/sphere_set.h"
-#include "firma/turn.h"
 #include "firma/world.h"
 
 namespace firma {
-
-/// How a set moves from fraction 0 to 1: its origin straight, at an even pace, while the set turns about the origin,
-/// evenly as well.
-struct SetMotion {
-    Vec3 position{};                  ///< of the set's origin at the start, metres
-    Quaternion rotation{0, 0, 0, 1};  ///< at the start; normalised when used
-    Vec3 path{};                      ///< of the origin, metres
-    Vec3 turn{};                      ///< axis times angle, radians, in the world's axes; within kMaxAngle
-};
-
-/// Where a set is at a fraction of its motion: scale is 1.
-[[nodiscard]] FIRMA_EXPORT Pose pose_at(const SetMotion& motion, double fraction);
 
 /// A hit, and which sphere it was: Hit::centre is that sphere's.
 struct SetHit : Hit {
@@ -46,7 +34,7 @@ inline constexpr double kMaxBulge = 1.0 / 32768;
 ///         kInvalid for a number that is not finite, a negative radius or a turn beyond kMaxAngle; kMiss for no sphere
 /// Never allocates. Costs a look for what a sphere around all of it comes near; where that finds anything, a cast for
 /// each sphere, and when turning one for each piece of its arc that comes near anything.
-[[nodiscard]] FIRMA_EXPORT SetHit cast(const World& world, std::span<const Sphere> spheres, const SetMotion& motion,
+[[nodiscard]] FIRMA_EXPORT SetHit cast(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
                                        const CastOptions& options = {});
 
 /// The first touch of two moving sets.
@@ -63,7 +51,7 @@ struct SetPairHit {
 /// Both move from fraction 0 to 1 at once. What is said above of turning holds here of both together: kMaxBulge each.
 /// @return kHit, kInitialOverlap where two spheres overlap at the start and come nearer, kMiss, kInvalid as above
 /// Never allocates. Costs the pairs of spheres that come near each other.
-[[nodiscard]] FIRMA_EXPORT SetPairHit cast(std::span<const Sphere> a, const SetMotion& motion_a,
-                                           std::span<const Sphere> b, const SetMotion& motion_b);
+[[nodiscard]] FIRMA_EXPORT SetPairHit cast(std::span<const Sphere> a, const RigidMotion& motion_a,
+                                           std::span<const Sphere> b, const RigidMotion& motion_b);
 
 }  // namespace firma

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Firma from C: worlds, casts, carving, differences, histories, edit logs, files. C99 and later; from C++ use the other
- * headers.
+/* Firma from C: worlds, casts, players, parts that move, carving, bodies, differences, histories, edit logs, files. C99
+ * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
- * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
- * always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces or
+ * bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own
+ * function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers
+ * are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch(), the same of movers, firma_cast_many()), bad numbers of the input and a room
- * that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
+ * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input
+ * and a room that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
  * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
  * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
  * has not failed: it says so in its output.
@@ -23,8 +24,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs and replays are for one thread at a time. A handle must not be released while another thread is using it.
- * (A visitor may release the world that it is shown.)
+ * edits, logs, replays, parts, bodies, debris, piercings and shot events are for one thread at a time; parts and bodies
+ * that nobody changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor
+ * may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -148,6 +150,9 @@ typedef struct firma_region_meshes {
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
+typedef struct firma_convex_pieces {
+    uint64_t id;
+} firma_convex_pieces;
 typedef struct firma_chunks {
     uint64_t id;
 } firma_chunks;
@@ -166,6 +171,30 @@ typedef struct firma_replay {
 typedef struct firma_hull {
     uint64_t id;
 } firma_hull;
+typedef struct firma_parts {
+    uint64_t id;
+} firma_parts;
+typedef struct firma_player_shape {
+    uint64_t id;
+} firma_player_shape;
+typedef struct firma_body_shape {
+    uint64_t id;
+} firma_body_shape;
+typedef struct firma_bodies {
+    uint64_t id;
+} firma_bodies;
+typedef struct firma_shot_events {
+    uint64_t id;
+} firma_shot_events;
+typedef struct firma_piercing {
+    uint64_t id;
+} firma_piercing;
+typedef struct firma_debris {
+    uint64_t id;
+} firma_debris;
+typedef struct firma_supports {
+    uint64_t id;
+} firma_supports;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1030,6 +1059,217 @@ FIRMA_API firma_code firma_overlap_mover_each(firma_world world, const firma_mov
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
                                    const firma_near_options* options, firma_near* near, uint32_t* found);
 
+/* ---- parts that move -------------------------------------------------------------------------------------------- */
+
+/* Doors, lifts, trains, blades: solids of their own, each in a frame that moves from fraction 0 to 1 of the time at
+ * hand. Casts of a scene move their shape meanwhile. docs/moving.md has the contract. */
+
+/* In place of a part: the level itself, or nothing. */
+#define FIRMA_NO_PART UINT32_MAX
+
+/* The frame's origin goes straight, at an even pace, while all else turns about it, evenly as well. */
+typedef struct firma_motion {
+    double position[3]; /* of the origin at the start, metres */
+    double rotation[4]; /* x, y, z, w, at the start; not all zero */
+    double path[3];     /* of the origin, metres */
+    double turn[3];     /* axis times angle, radians, in the world's axes; at most 8 long */
+} firma_motion;
+
+typedef struct firma_part {
+    uint32_t size;     /* sizeof(firma_part) */
+    uint32_t mask;     /* met by what shares a bit with it, and with the face */
+    firma_world world; /* the solid in the part's frame, of one room; shared: the handle may be released */
+    firma_motion motion;
+} firma_part;
+
+/* All bits, standing at the origin, without a world. */
+FIRMA_API void firma_part_defaults(firma_part* part);
+
+/* An empty list of parts. */
+FIRMA_API firma_code firma_parts_create(firma_parts* parts);
+/* Puts a part at the end; `index` gets its number, and may be null. FIRMA_ERROR_INVALID for a world of several rooms,
+ * FIRMA_ERROR_OUT_OF_RANGE for a motion with a number that is not finite, a rotation of zero, or a turn longer than 8.
+ * Costs the bounds of the world. */
+FIRMA_API firma_code firma_parts_add(firma_parts parts, const firma_part* part, uint32_t* index);
+/* Another part in place of one: another solid, as after a cut. Numbers of the others stay. Errors as above, and
+ * FIRMA_ERROR_OUT_OF_RANGE for a part that is not there. */
+FIRMA_API firma_code firma_parts_set(firma_parts parts, uint32_t index, const firma_part* part);
+/* The motions of all parts for this tick, one each, in order: all, or none when one is refused. FIRMA_ERROR_INVALID for
+ * another count than there are parts; else errors as above. Takes no memory. */
+FIRMA_API firma_code firma_parts_set_motions(firma_parts parts, const firma_motion* motions, size_t count);
+FIRMA_API firma_code firma_parts_get_count(firma_parts parts, size_t* count);
+FIRMA_API firma_code firma_parts_release(firma_parts parts);
+
+/* A level with its parts. firma_scene_defaults() sets all, but for the world. */
+typedef struct firma_scene {
+    uint32_t size;     /* sizeof(firma_scene) */
+    uint32_t reserved; /* must be 0 */
+    firma_world world;
+    firma_parts parts; /* 0: none */
+    double from, to;   /* which stretch of the parts' motions the fractions 0 to 1 of questions stand for, itself in
+                          fractions of them, 0 <= from <= to <= 1; by default 0 and 1. Equal: they stand there */
+} firma_scene;
+
+FIRMA_API void firma_scene_defaults(firma_scene* scene);
+
+/* A hit of the level or of a part. */
+typedef struct firma_part_hit {
+    firma_hit hit;              /* face and material are those of the part's world; a corner is in its frame */
+    double surface_velocity[3]; /* of the part's surface at the touch: metres from fraction 0 to 1 at that pace */
+    uint32_t part;              /* FIRMA_NO_PART: the level, or a miss */
+    uint32_t reserved;
+} firma_part_hit;
+
+/* The first touch of a mover with the level, or with a part that moves meanwhile; of several at the same fraction the
+ * level's, then that of the part with the lowest number. A path of zero is met by parts that come. Against a part that
+ * turns a touch is at most 0.06 mm early. `room` and `passed` of the options are of the level. Status FIRMA_INVALID as
+ * firma_cast_mover(), and for a stretch of the scene that is none. Takes no memory. Costs a cast through the level, a
+ * look at each part's box or ball, and a cast through each part that is near: of one that turns, some searches for the
+ * nearest points with each face near the way. */
+FIRMA_API firma_code firma_cast_scene(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                      const firma_cast_options* options, firma_part_hit* hit);
+/* Whether there is any touch: firma_status. */
+FIRMA_API firma_code firma_cast_scene_any(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                          const firma_cast_options* options, uint32_t* status);
+
+/* What is overlapped, of the level or of a part. */
+typedef struct firma_part_near {
+    firma_near near;
+    double surface_velocity[3]; /* of the part at `near.point`, as in firma_part_hit */
+    uint32_t part;              /* FIRMA_NO_PART: of the level */
+    uint32_t reserved;
+} firma_part_near;
+
+/* The faces that a mover overlaps, the parts where they are at a fraction, 0 to 1, of the scene's stretch: those of the
+ * level first, then part by part, in no particular order within one. `count` gets how many, and the first `capacity`
+ * are written. FIRMA_ERROR_OUT_OF_RANGE also for a fraction or a stretch that is none; else as firma_overlap_mover().
+ */
+FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* mover, double fraction,
+                                         const firma_near_options* options, firma_part_near* found, size_t capacity,
+                                         size_t* count);
+
+/* ---- players ---------------------------------------------------------------------------------------------------- */
+
+/* Upright shapes that walk, jump, crouch, climb steps, slide along walls and ride on parts. A player is plain data,
+ * copied, saved and rolled back as such; nothing is kept between moves. docs/players.md. */
+
+/* What a player is, standing and crouched; it never changes. Metres, ends of a capsule included. A null pointer takes
+ * the defaults. */
+typedef struct firma_player_size {
+    uint32_t size;                          /* sizeof(firma_player_size) */
+    uint32_t reserved;                      /* must be 0 */
+    double radius, height, crouched_height; /* 0.3, 1.8, 1.1 */
+    double up[3];                           /* 0, 0, 1; made unit */
+} firma_player_size;
+
+FIRMA_API void firma_player_size_defaults(firma_player_size* size);
+
+/* FIRMA_ERROR_INVALID for a number that is not finite or not above zero, an `up` shorter than 1e-3, a height below
+ * twice the radius, and a crouched height above the other. */
+FIRMA_API firma_code firma_player_shape_capsule(const firma_player_size* size, firma_player_shape* shape);
+/* A box as wide and as deep as twice the radius; it may be lower than it is wide. */
+FIRMA_API firma_code firma_player_shape_box(const firma_player_size* size, firma_player_shape* shape);
+/* Spheres around a middle axis that leads up from the origin, four doubles each: centre, radius. `crouched` may be null
+ * when its count is 0: as standing. `up` may be null: 0, 0, 1. FIRMA_ERROR_INVALID for a number that is not finite, a
+ * radius that is not above zero, none, and more than 4,096. */
+FIRMA_API firma_code firma_player_shape_spheres(const double* standing, size_t standing_count, const double* crouched,
+                                                size_t crouched_count, const double up[3], firma_player_shape* shape);
+FIRMA_API firma_code firma_player_shape_release(firma_player_shape shape);
+
+/* One player between two moves. All of it may be set; firma_player_defaults() sets all, at the origin. */
+typedef struct firma_player {
+    double position[3];           /* of the feet, metres */
+    double velocity[3];           /* metres a second; on the ground over what it stands on */
+    double ground_normal[3];      /* of the face that it stands on; with on_ground */
+    double ground_velocity[3];    /* of the part that it stands on, at its feet, metres a second */
+    uint64_t world_hash;          /* firma_world_hash() of the world that it was last moved in; 0 before */
+    uint32_t mask;                /* faces that share a bit are met */
+    uint32_t room;                /* where its middle was last in air; FIRMA_NO_ROOM before */
+    uint32_t ground_part;         /* that it stands on, or FIRMA_NO_PART */
+    uint32_t on_ground, crouched; /* 0 or 1 */
+    uint32_t stuck;               /* 1: it overlaps, and no place to go was found */
+} firma_player;
+
+FIRMA_API void firma_player_defaults(firma_player* player);
+
+/* What is wished of it for one move. Zero but for `size`: to stand. */
+typedef struct firma_player_wish {
+    uint32_t size;      /* sizeof(firma_player_wish) */
+    uint32_t jump;      /* 1: from the ground */
+    uint32_t crouch;    /* 1: as long as it is set, and on as long as there is no room to stand */
+    uint32_t careful;   /* 1: it does not walk where the ground is more than firma_player_rules.max_drop lower */
+    double velocity[3]; /* metres a second; what of it is along `up` does not count */
+} firma_player_wish;
+
+/* How players move; a null pointer takes the defaults. */
+typedef struct firma_player_rules {
+    uint32_t size;              /* sizeof(firma_player_rules) */
+    uint32_t reserved;          /* must be 0 */
+    double gravity;             /* 9.81 m/s2, against `up` */
+    double max_slope;           /* a quarter of pi, radians: of faces that it walks on */
+    double step_height;         /* 0.45 m: higher steps are walls */
+    double max_drop;            /* 0.6 m; see firma_player_wish.careful */
+    double overhang;            /* 0.7 radii: so far beyond an edge its middle may be where nothing is below */
+    double jump_speed;          /* 4.4 m/s */
+    double ground_acceleration; /* 60 m/s2 */
+    double air_acceleration;    /* 12 m/s2 */
+    double crouched_speed;      /* 0.5 of the speed that is wished */
+    double max_push;            /* 4 m: so far at most it is moved out of what came where it was */
+    double contact_offset;      /* metres kept from what it touches; 0, the default, takes the world's */
+} firma_player_rules;
+
+FIRMA_API void firma_player_rules_defaults(firma_player_rules* rules);
+
+typedef enum firma_contact_kind {
+    FIRMA_CONTACT_GROUND = 0,
+    FIRMA_CONTACT_WALL = 1,
+    FIRMA_CONTACT_CEILING = 2
+} firma_contact_kind;
+
+/* What a player touched on its way. */
+typedef struct firma_player_contact {
+    double point[3];       /* metres */
+    double normal[3];      /* unit, toward the player */
+    double face_normal[3]; /* unit; of ground, of the flattest face there */
+    uint32_t kind;         /* firma_contact_kind */
+    uint32_t face;         /* FIRMA_NO_FACE of a closed portal */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* the closed one, or FIRMA_NO_PORTAL */
+    uint32_t part;         /* that the face is of; FIRMA_NO_PART: of the level */
+    uint32_t material;
+} firma_player_contact;
+
+#define FIRMA_MAX_PLAYER_CONTACTS 8
+
+/* Where a move led to. */
+typedef struct firma_player_move {
+    uint32_t size;          /* sizeof(firma_player_move) */
+    uint32_t contact_count; /* of `contacts` */
+    firma_player player;
+    double pushed[3];    /* metres: the way out of what came where it was, and what it backed off by */
+    double carried[3];   /* metres: with the part that it stood on, and out of the way of parts */
+    double landed_speed; /* metres a second against the ground, where it came down; else 0 */
+    uint32_t pushed_by;  /* a part that came where it was, the last one; or FIRMA_NO_PART */
+    uint32_t crushed_by; /* a part that it is pressed by without room to give way: it overlaps that, never the level.
+                            The game decides what comes of it. Or FIRMA_NO_PART */
+    uint32_t jumped, stepped; /* 0 or 1; stepped: up a step */
+    firma_player_contact contacts[FIRMA_MAX_PLAYER_CONTACTS];
+} firma_player_move;
+
+/* Moves a player by one tick of 0 to 1 seconds, among parts that go from fraction 0 to 1 of their motions meanwhile:
+ * part k has to be the same one from tick to tick. `move` gets where it is then; `player` stays, and may be
+ * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
+ * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
+ * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is
+ * looked for. */
+FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
+                                       const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
+                                       firma_player_move* move);
+/* Whether there is room for a player, its middle in air: for places to begin at. Parts are where they are at `from` of
+ * the scene. `fits` gets 0 or 1. FIRMA_ERROR_OUT_OF_RANGE for a position that is not finite. Takes no memory. */
+FIRMA_API firma_code firma_player_fits(const firma_scene* scene, firma_player_shape shape, const double position[3],
+                                       uint32_t crouched, uint32_t mask, uint32_t* fits);
+
 /* ---- carving ---------------------------------------------------------------------------------------------------- */
 
 typedef enum firma_shape {
@@ -1238,6 +1478,857 @@ typedef struct firma_rest {
  * against each other, again for each time that some are mended. */
 FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* pose, const char* name,
                                           firma_cutter* cutter, firma_rest* rest);
+
+/* ---- convex pieces ---------------------------------------------------------------------------------------------- */
+
+/* How a solid is divided into convex pieces, for another engine. A null pointer, and zeros, take the defaults. */
+typedef struct firma_convex_options {
+    uint32_t size;        /* sizeof(firma_convex_options) */
+    uint32_t max_pieces;  /* 1 to 16,384; 0: 256 */
+    double max_concavity; /* metres. 0: each piece is convex. Above: what is convex but for less is one piece, of which
+                             its hull is given, no point of which is farther than this from the piece */
+    double density;       /* kilograms a cubic metre, for firma_convex_piece.mass; 0: 2,400 */
+} firma_convex_options;
+
+typedef struct firma_convex_face {
+    double normal[3]; /* unit, outward */
+    double offset;    /* metres: normal . p = offset on it */
+    uint32_t first;   /* its corners, counter-clockwise seen from outside: loops[first] to [first + count - 1] */
+    uint32_t count;   /* 3 or more */
+} firma_convex_face;
+
+typedef struct firma_convex_piece {
+    uint32_t size;         /* sizeof(firma_convex_piece) */
+    uint32_t exact;        /* 1: the piece is convex, exactly; 0: corners and faces are those of its hull */
+    firma_mass mass;       /* of the piece, not of its hull: volumes add up to the whole's */
+    double hull_volume;    /* cubic metres: of the hull of the corners */
+    double overhang;       /* metres: no point of the hull is farther from the piece; 0 for an exact one */
+    const double* corners; /* x, y, z each, metres: rounded by at most 3.3 um. All pointers: good until the handle is
+                              released */
+    size_t corner_count;
+    const firma_convex_face* faces;
+    size_t face_count;
+    const uint32_t* loops; /* numbers of corners, of all faces */
+    size_t loop_count;
+} firma_convex_piece;
+
+/* A world's solid as convex pieces that fill it: none crosses another, and their exact volumes add up to its volume.
+ * Divided at reflex edges by planes of its faces, and merged where pieces are convex together. FIRMA_ERROR_INVALID for
+ * a world without solid faces or with rock that reaches to infinity, and for options out of range;
+ * FIRMA_ERROR_TOO_LARGE where it takes more than max_pieces. Costs microseconds for a box with a notch, a second for
+ * some hundred reflex edges. docs/convex.md. */
+FIRMA_API firma_code firma_world_convex_pieces(firma_world world, const firma_convex_options* options,
+                                               firma_convex_pieces* pieces);
+/* The same of a chunk, in its frame. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_chunks_convex_pieces(firma_chunks chunks, size_t chunk, const firma_convex_options* options,
+                                                firma_convex_pieces* pieces);
+FIRMA_API firma_code firma_convex_pieces_get_count(firma_convex_pieces pieces, size_t* count);
+/* In an order that is the same everywhere. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_convex_pieces_get(firma_convex_pieces pieces, size_t piece, firma_convex_piece* out);
+FIRMA_API firma_code firma_convex_pieces_release(firma_convex_pieces pieces);
+
+/* ---- bodies ----------------------------------------------------------------------------------------------------- */
+
+/* Rigid bodies of spheres that hit the world and each other, come to rest and sleep. They are held outside of worlds: a
+ * snapshot of a game is a world and a copy of its bodies. docs/bodies.md. */
+
+/* The mass of a solid ball, and of a solid box, around the origin. `half`: metres. FIRMA_ERROR_OUT_OF_RANGE for a
+ * number that is not finite or not above zero. */
+FIRMA_API firma_code firma_mass_of_ball(double radius, double density, firma_mass* mass);
+FIRMA_API firma_code firma_mass_of_box(const double half[3], double density, firma_mass* mass);
+
+/* What bodies are made of, shared by all that are: 1 to 4,096 spheres, four doubles each (centre, radius > 0), and the
+ * mass of the solid that they stand for, in the same frame. It never changes. FIRMA_ERROR_INVALID for a number that is
+ * not finite, a radius, mass or inertia that is not above zero, or another count. */
+FIRMA_API firma_code firma_body_shape_spheres(const double* spheres, size_t count, const firma_mass* mass,
+                                              firma_body_shape* shape);
+/* Bodies of a shape keep it: the handle may be released. */
+FIRMA_API firma_code firma_body_shape_release(firma_body_shape shape);
+
+/* How spheres are fitted into a solid. A null pointer, and zeros, take the defaults. */
+typedef struct firma_fit_options {
+    uint32_t size;        /* sizeof(firma_fit_options) */
+    uint32_t max_spheres; /* 1 to 4,096; 0: 64 */
+    double max_error;     /* metres that a point of the surface may be from the nearest sphere; 0: a twentieth of the
+                             longest side of the solid's box */
+    double margin;        /* metres that spheres are inside by */
+} firma_fit_options;
+
+/* Names a body, as long as it is there: a slot is used again with another number. All that take one say
+ * FIRMA_ERROR_INVALID for a body that is not there any more. */
+typedef struct firma_body_id {
+    uint32_t slot, use;
+} firma_body_id;
+
+/* In place of a slot: no body, or the world. */
+#define FIRMA_NO_BODY UINT32_MAX
+
+typedef struct firma_body {
+    uint32_t size;      /* sizeof(firma_body) */
+    uint32_t mask;      /* faces and bodies that share a bit are met */
+    double position[3]; /* of the centre of mass, metres */
+    double rotation[4]; /* x, y, z, w, of the shape's frame; not all zero */
+    double velocity[3]; /* of the centre of mass, metres a second */
+    double spin[3];     /* radians a second, in the world's axes */
+    double force[3];    /* newtons, besides gravity; kept from step to step */
+    double torque[3];   /* newton metres */
+    double friction;    /* >= 0, 0.6: of two that touch the geometric mean counts, with the world's */
+    double restitution; /* 0..1, 0.1: of two that touch the larger counts */
+    double rolling;     /* >= 0, 0.02: resistance to rolling, in radii of the sphere that rolls */
+    double mass;        /* kilograms. Told, not taken, as all below */
+    uint32_t asleep;    /* 0 or 1 */
+    uint32_t stuck;     /* 1: a sphere's centre was in solid in the last step */
+    uint32_t crushed;   /* 1: a part came upon it in the last step, and it could not give way */
+    uint32_t reserved;
+} firma_body;
+
+/* No bodies. */
+FIRMA_API firma_code firma_bodies_create(firma_bodies* bodies);
+/* Others that go the same way from here: a snapshot. Costs their arrays; shapes are shared. */
+FIRMA_API firma_code firma_bodies_copy(firma_bodies bodies, firma_bodies* copy);
+FIRMA_API firma_code firma_bodies_release(firma_bodies bodies);
+/* Of those that are there. Costs their slots, here and below. */
+FIRMA_API firma_code firma_bodies_get_count(firma_bodies bodies, size_t* count);
+/* Their names, by slot: `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_list(firma_bodies bodies, firma_body_id* ids, size_t capacity, size_t* count);
+
+/* A body at rest, with its shape's frame at a pose, whose scale does not count. FIRMA_ERROR_OUT_OF_RANGE for a pose
+ * that is not finite, or a rotation of zero. */
+FIRMA_API firma_code firma_bodies_add(firma_bodies bodies, firma_body_shape shape, const firma_pose* pose,
+                                      firma_body_id* id);
+/* A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass. `fit` may be null.
+ * FIRMA_ERROR_OUT_OF_RANGE for a chunk that is not there; FIRMA_ERROR_INVALID for one without mass, one without room
+ * for spheres, and bad options. Costs the fit: some thousand searches for nearest facets, and their product with the
+ * surface's points. */
+FIRMA_API firma_code firma_bodies_add_chunk(firma_bodies bodies, firma_chunks chunks, size_t chunk,
+                                            const firma_fit_options* fit, firma_body_id* id);
+/* What it touched wakes up. */
+FIRMA_API firma_code firma_bodies_remove(firma_bodies bodies, firma_body_id id);
+FIRMA_API firma_code firma_bodies_get(firma_bodies bodies, firma_body_id id, firma_body* body);
+/* Wakes it, and what sleeps with it. What a shorter struct lacks stays. FIRMA_ERROR_OUT_OF_RANGE for a number that is
+ * not finite or out of its range, and a rotation of zero. */
+FIRMA_API firma_code firma_bodies_set(firma_bodies bodies, firma_body_id id, const firma_body* body);
+/* Where its shape's frame is, at scale 1: where to draw what the shape was made of. */
+FIRMA_API firma_code firma_bodies_get_pose(firma_bodies bodies, firma_body_id id, firma_pose* pose);
+/* Wakes what sleeps with it, too. */
+FIRMA_API firma_code firma_bodies_wake(firma_bodies bodies, firma_body_id id);
+/* A push at a point: newton seconds, metres; wakes it. FIRMA_ERROR_OUT_OF_RANGE for what is not finite. */
+FIRMA_API firma_code firma_bodies_push(firma_bodies bodies, firma_body_id id, const double impulse[3],
+                                       const double point[3]);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_step_options {
+    uint32_t size;              /* sizeof(firma_step_options) */
+    uint32_t substeps_a_second; /* at least, 1 to 10,000; 240 */
+    uint32_t max_bounces;       /* of one body on its way in one step, at most 1,000; 4 */
+    uint32_t reserved;          /* must be 0 */
+    double gravity[3];          /* 0, 0, -9.81 m/s2 */
+    double contact_friction;    /* of the world, >= 0; 0.6 */
+    double contact_offset;      /* metres that spheres may sink in; 0, the default, takes the world's */
+    double sleep_speed;         /* metres a second: what moves less at any point is still; 0.05 */
+    double sleep_after;         /* seconds still; INFINITY: never; 0.5 */
+} firma_step_options;
+
+FIRMA_API void firma_step_options_defaults(firma_step_options* options);
+
+typedef struct firma_step_report {
+    uint32_t size; /* sizeof(firma_step_report) */
+    uint32_t reserved;
+    uint64_t awake, contacts, swept, bounces, woken;
+    uint64_t stuck;   /* bodies with a sphere whose centre is in solid that came where they were: they move out */
+    uint64_t crushed; /* bodies that a part came upon and that could not give way: the part goes over them */
+} firma_step_report;
+
+/* Moves all bodies on. `seconds`: above zero; of more than a quarter of a second, a quarter is made. `report` may be
+ * null. No sphere of a body that was clear of the world ends deeper in it than the contact offset, and none passes a
+ * wall, at any speed. FIRMA_ERROR_OUT_OF_RANGE for seconds and options that are not finite or out of range. The same
+ * bits on every machine. Costs the bodies that are awake, with the faces near them. Takes memory; where there is none,
+ * the bodies are lost: all but releasing them says FIRMA_ERROR_NO_MEMORY from then on. */
+FIRMA_API firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds,
+                                       const firma_step_options* options, firma_step_report* report);
+/* The same among parts that go along the scene's stretch of their motions meanwhile, which carry, push and crush.
+ * Bodies do not move them. Part k has to be the same one from step to step. FIRMA_ERROR_OUT_OF_RANGE also for a stretch
+ * that is none. Costs also a look at each part for each body that is awake. docs/bodies.md. */
+FIRMA_API firma_code firma_bodies_step_scene(firma_bodies bodies, const firma_scene* scene, double seconds,
+                                             const firma_step_options* options, firma_step_report* report);
+
+/* What was pressed together in the last step. */
+typedef struct firma_body_contact {
+    firma_body_id body, other; /* slot FIRMA_NO_BODY of `other`: the world */
+    double point[3];           /* metres */
+    double normal[3];          /* unit, toward `body` */
+    double force;              /* along the normal, newtons */
+    uint32_t face;             /* of the world or the part; FIRMA_NO_FACE of a body or a closed portal */
+    int32_t corner[3];         /* the face's first, as in firma_hit */
+    uint32_t portal;           /* a closed one, or FIRMA_NO_PORTAL */
+    uint32_t part;             /* that the face is of; FIRMA_NO_PART: of the level, of a body or a portal */
+} firma_body_contact;
+
+/* By slot of `body`, then of `other`; `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_contacts(firma_bodies bodies, firma_body_contact* contacts, size_t capacity,
+                                           size_t* count);
+/* A hash of all that the next steps depend on. Costs all of it. */
+FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
+
+/* ---- projectiles ------------------------------------------------------------------------------------------------ */
+
+/* Thousands of fast particles that fall, ricochet, go through walls or stay in them: an array of the caller's, whose
+ * copy is a snapshot. docs/projectiles.md. */
+
+typedef enum firma_projectile_state {
+    FIRMA_PROJECTILE_FLYING = 0,
+    FIRMA_PROJECTILE_STOPPED = 1, /* at a face, in solid or at a body: its velocity is zero */
+    FIRMA_PROJECTILE_EXPIRED = 2  /* flew longer than firma_fly_options.max_age, or out of reach: 16,384 m */
+} firma_projectile_state;
+
+/* All of it may be set between steps; firma_projectile_defaults() sets all, at the origin. */
+typedef struct firma_projectile {
+    double position[3];  /* metres; to begin with in air */
+    double velocity[3];  /* metres a second; at most 2^20 */
+    double mass;         /* kilograms, > 0; 0.01 */
+    double age;          /* seconds that it flew */
+    uint64_t world_hash; /* firma_world_hash() of the world that it flew in last; 0 before */
+    uint32_t mask;       /* faces, closed portals and bodies that share a bit are met */
+    uint32_t user;       /* the caller's: no answer depends on it */
+    uint32_t state;      /* firma_projectile_state */
+    uint32_t reserved;   /* must be 0 */
+} firma_projectile;
+
+FIRMA_API void firma_projectile_defaults(firma_projectile* projectile);
+
+/* What something does to a projectile that meets it. */
+typedef struct firma_shot_terms {
+    double ricochet_below; /* radians between path and face: at less it ricochets; 0: never */
+    double restitution;    /* 0..1: what is left of the speed along the normal */
+    double friction;       /* of the change of speed along the normal, so much is lost along the face */
+    double resistance; /* newtons: joules that it loses for each metre it goes through; from 2^200 it is not entered */
+} firma_shot_terms;
+
+/* 0.25, 0.4, 0.3, and not entered. */
+FIRMA_API void firma_shot_terms_defaults(firma_shot_terms* terms);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_fly_options {
+    uint32_t size;                   /* sizeof(firma_fly_options) */
+    uint32_t max_impacts;            /* of one projectile in one step, 1 to 1,000: with the last one it stops; 8 */
+    double gravity[3];               /* 0, 0, -9.81 m/s2 */
+    double max_bow;                  /* metres: no chord of the parabola is farther from it, at any time; 0.001 */
+    double max_age;                  /* seconds; 10 */
+    double stop_speed;               /* metres a second: what an impact leaves slower stops there; 1 */
+    double max_thickness;            /* metres through solid: what would take more stops; 4 */
+    double pane_energy;              /* joules that it takes to go through a pane; 2^200: none does */
+    firma_shot_terms other;          /* of matters beyond `matters`; firma_shot_terms_defaults() */
+    firma_shot_terms bodies;         /* their resistance does not count: what does not ricochet stops; likewise */
+    const firma_shot_terms* matters; /* by number of matter of the world; may be null when the count is 0 */
+    size_t matter_count;
+} firma_fly_options;
+
+FIRMA_API void firma_fly_options_defaults(firma_fly_options* options);
+
+typedef enum firma_shot_event_kind {
+    FIRMA_SHOT_RICOCHET = 0,
+    FIRMA_SHOT_ENTERED = 1, /* went into solid: LEFT or STOPPED comes next */
+    FIRMA_SHOT_LEFT = 2,    /* came out of it */
+    FIRMA_SHOT_PASSED = 3,  /* went through a pane */
+    FIRMA_SHOT_STOPPED = 4, /* at a face, a pane or a body; after ENTERED in the solid */
+    FIRMA_SHOT_EXPIRED = 5
+} firma_shot_event_kind;
+
+typedef struct firma_shot_event {
+    double time;           /* seconds from the start of the step */
+    double point[3];       /* metres; where it stopped or left */
+    double normal[3];      /* unit, of what was met, toward where it came from; of LEFT out of the solid */
+    double velocity[3];    /* metres a second, after it */
+    double impulse[3];     /* newton seconds that it gave to what it met */
+    double energy;         /* joules that it lost */
+    double thickness;      /* metres that it went through: of LEFT, and of STOPPED in solid */
+    uint32_t kind;         /* firma_shot_event_kind */
+    uint32_t projectile;   /* its index */
+    uint32_t number;       /* among the events of this projectile in this step */
+    uint32_t face;         /* that was met, or where it came out; FIRMA_NO_FACE of portals, bodies, and none */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* a closed one, or FIRMA_NO_PORTAL */
+    firma_body_id body;    /* slot FIRMA_NO_BODY: none */
+    uint32_t material;     /* of the face or portal */
+    uint32_t matter;       /* of the face; of LEFT the last one, of STOPPED where it stopped */
+    uint32_t first_length; /* in firma_shot_view.lengths: what it went through */
+    uint32_t length_count;
+} firma_shot_event;
+
+/* A piece of a way through solid that is of one matter. */
+typedef struct firma_shot_length {
+    double from, to; /* fractions of the way */
+    uint32_t matter;
+    uint32_t reserved;
+} firma_shot_length;
+
+typedef struct firma_shot_view {
+    uint32_t size; /* sizeof(firma_shot_view) */
+    uint32_t reserved;
+    const firma_shot_event* events; /* by time, then projectile, then number */
+    size_t event_count;
+    const firma_shot_length* lengths;
+    size_t length_count;
+} firma_shot_view;
+
+/* Where firma_fly() puts what happened; made once, used for step after step. */
+FIRMA_API firma_code firma_shot_events_create(firma_shot_events* events);
+/* Of the last step that was made with it; good until the next one, or its release. */
+FIRMA_API firma_code firma_shot_events_get_view(firma_shot_events events, firma_shot_view* view);
+FIRMA_API firma_code firma_shot_events_release(firma_shot_events events);
+
+typedef struct firma_fly_report {
+    uint32_t size; /* sizeof(firma_fly_report) */
+    uint32_t reserved;
+    uint64_t flying, chords, impacts; /* flying: how many still do */
+} firma_fly_report;
+
+/* Lets projectiles fly on, those that fly. `seconds`: above zero, at most 1. `bodies`: 0 for none; what is met of them
+ * is pushed when all have flown. `events` is replaced, and may be 0; `report` may be null. FIRMA_ERROR_OUT_OF_RANGE for
+ * seconds that are not, and for a projectile with a number that is not finite or out of range, with its index;
+ * FIRMA_ERROR_INVALID for options that are out of range, a state that is none, and where firma_tasks.run does not do
+ * all of it; FIRMA_ERROR_TOO_LARGE where gravity and max_bow divide the step into more than 4,096 chords. Then nothing
+ * has moved, and the events are those of before. The same bits on every machine, however firma_set_tasks() spreads it.
+ * Takes memory: a copy of the projectiles. Costs a cast for each chord, three more for each impact, two searches for
+ * each way through solid. Where memory runs out, bodies may be lost as in firma_bodies_step(). */
+FIRMA_API firma_code firma_fly(firma_projectile* projectiles, size_t count, firma_world world, firma_bodies bodies,
+                               double seconds, const firma_fly_options* options, firma_shot_events events,
+                               firma_fly_report* report);
+/* A hash of all that the next steps depend on. FIRMA_ERROR_INVALID for a state that is none. */
+FIRMA_API firma_code firma_projectiles_hash(const firma_projectile* projectiles, size_t count, uint64_t* hash);
+
+/* ---- what a path goes through ----------------------------------------------------------------------------------- */
+
+/* Where a path goes into solid, or comes out. */
+typedef struct firma_pierce_end {
+    double fraction;  /* of the path */
+    double point[3];  /* metres, on the path */
+    double normal[3]; /* unit, of the face, out of the solid; zero where there is none */
+    uint32_t face;    /* FIRMA_NO_FACE where the path starts or ends in the solid, and of a closed portal */
+    int32_t corner[3];
+    uint32_t material;
+    uint32_t reserved;
+} firma_pierce_end;
+
+/* A stretch of solid that a path goes through, or a pane, which has no thickness. */
+typedef struct firma_pierce_span {
+    firma_pierce_end in, out; /* of a pane the same */
+    double thickness;         /* metres along the path */
+    uint32_t first_length;    /* in firma_piercing_view.lengths */
+    uint32_t length_count;    /* 0 of panes, and where matters were not asked for */
+    uint32_t portal;          /* a closed one, or FIRMA_NO_PORTAL */
+    uint32_t pane;            /* 1: a face that bounds no solid, or a closed portal */
+    uint32_t starts_inside;   /* 1: the path starts in this solid */
+    uint32_t ends_inside;     /* 1: and ends in it */
+} firma_pierce_span;
+
+typedef struct firma_piercing_view {
+    uint32_t size; /* sizeof(firma_piercing_view) */
+    uint32_t reserved;
+    const firma_pierce_span* spans; /* by the fraction at which they begin */
+    size_t span_count;
+    const firma_shot_length* lengths; /* of all stretches in a row: what is of one matter, in fractions of the path */
+    size_t length_count;
+    double thickness; /* metres of solid in all that is told */
+} firma_piercing_view;
+
+/* A null pointer takes the defaults. */
+typedef struct firma_pierce_options {
+    uint32_t size;       /* sizeof(firma_pierce_options) */
+    uint32_t mask;       /* panes that share a bit are told, and stretches whose face where the path goes in does */
+    uint32_t both_sides; /* 1: panes are met from behind, too; 0 */
+    uint32_t no_panes;   /* 1: panes are left out; 0 */
+    uint32_t no_matters; /* 1: what stretches are of is not asked; 0 */
+    uint32_t reserved;   /* must be 0 */
+} firma_pierce_options;
+
+FIRMA_API void firma_pierce_options_defaults(firma_pierce_options* options);
+/* Where firma_pierce() puts what it finds; made once, used again. */
+FIRMA_API firma_code firma_piercing_create(firma_piercing* piercing);
+/* Of the last call that was made with it; good until the next one, or its release. */
+FIRMA_API firma_code firma_piercing_get_view(firma_piercing piercing, firma_piercing_view* view);
+FIRMA_API firma_code firma_piercing_release(firma_piercing piercing);
+/* All solid that a straight path goes through, and the panes: docs/projectiles.md has the contract. `status` gets a
+ * firma_status: FIRMA_INITIAL_OVERLAP when the path starts in solid that is told, FIRMA_HIT when it meets anything,
+ * FIRMA_MISS when not. FIRMA_ERROR_OUT_OF_RANGE for a number that is not finite or too large: what was found before
+ * stays. Takes memory only to hold more than before. Costs a cast of all that the path meets. */
+FIRMA_API firma_code firma_pierce(firma_world world, const double start[3], const double path[3],
+                                  const firma_pierce_options* options, firma_piercing piercing, uint32_t* status);
+
+/* ---- fracture and debris ---------------------------------------------------------------------------------------- */
+
+/* Solids broken into pieces exactly, and bodies that know their solids: they break, lie about, become ground again.
+ * docs/debris.md. */
+
+typedef enum firma_crack_style {
+    FIRMA_CRACK_LUMPS = 0,  /* across the longest way through each piece, crooked: concrete, rock, splinters */
+    FIRMA_CRACK_BRICKS = 1, /* rows along z, every other row half a brick on */
+    FIRMA_CRACK_SHARDS = 2  /* away from the point of impact, around z, and across these: glass */
+} firma_crack_style;
+
+/* What pieces look like. firma_fracture_pattern_of() has one for each matter. */
+typedef struct firma_fracture_pattern {
+    uint32_t size;             /* sizeof(firma_fracture_pattern) */
+    uint32_t style;            /* firma_crack_style */
+    double size_of_piece[3];   /* metres, > 0, along the pattern's axes; of shards x is how far apart cracks around the
+                                  impact are, y how wide a shard is */
+    double growth;             /* by how much of itself a piece is larger a metre from the impact, >= 0 */
+    double crooked;            /* 0 to 1 */
+    uint32_t has_axes;         /* 1: `axes` counts; 0: found from the solid's flat sides */
+    uint32_t has_brick_corner; /* 1: `brick_corner` counts; 0: the low corner of the solid */
+    double axes[4];            /* x, y, z, w: the pattern's axes in the solid's frame */
+    double brick_corner[3];    /* a corner of a brick of an even row */
+} firma_fracture_pattern;
+
+/* How a matter of a world breaks. FIRMA_ERROR_INVALID for a matter that the world does not have. */
+FIRMA_API firma_code firma_fracture_pattern_of(firma_world world, uint32_t matter, firma_fracture_pattern* pattern);
+
+/* A null pointer, and zeros, take the defaults. */
+typedef struct firma_fracture_options {
+    uint32_t size;       /* sizeof(firma_fracture_options) */
+    uint32_t max_pieces; /* 1 to 4,096; 0: 32. Cracks end when there are so many */
+    uint32_t material;   /* of the faces along cracks; 0 */
+    uint32_t has_impact; /* 1: `impact` counts */
+    double impact[3];    /* metres: where pieces are smallest; of a world in its frame, of a body in the world */
+    double min_volume;   /* cubic metres: a piece of less is not divided, and of a body it becomes dust; 0: 0.001 */
+    double density;      /* kilograms a cubic metre; 0: 2,400. Of a body its own counts */
+    uint64_t seed;       /* of crooked cracks; 0: 1 */
+} firma_fracture_options;
+
+/* Breaks the solid of a world, of a chunk say (firma_chunks_world()), into pieces that fill it exactly: chunks in its
+ * frame, with origin 0, their matters not told. FIRMA_ERROR_INVALID for a world without solid or with rock outside, and
+ * for a pattern or options out of range; FIRMA_ERROR_OUT_OF_RANGE at the world's rim. The same bits on every machine.
+ * Costs two subtractions a crack. */
+FIRMA_API firma_code firma_world_fracture(firma_world world, const firma_fracture_pattern* pattern,
+                                          const firma_fracture_options* options, firma_chunks* pieces);
+
+/* What bodies are made of, by the slots of a firma_bodies; each call is given both. A copy of both is a snapshot. As
+ * with bodies: where memory runs out within a call that changes them, both are lost. */
+FIRMA_API firma_code firma_debris_create(firma_debris* debris);
+FIRMA_API firma_code firma_debris_copy(firma_debris debris, firma_debris* copy);
+FIRMA_API firma_code firma_debris_release(firma_debris debris);
+FIRMA_API firma_code firma_debris_hash(firma_debris debris, uint64_t* hash);
+
+/* A chunk as a body at rest where it came loose, that knows its solid. As firma_bodies_add_chunk(). */
+FIRMA_API firma_code firma_debris_add_chunk(firma_debris debris, firma_bodies bodies, firma_chunks chunks, size_t chunk,
+                                            const firma_fit_options* fit, firma_body_id* id);
+
+typedef struct firma_debris_piece {
+    uint32_t size;         /* sizeof(firma_debris_piece) */
+    uint32_t matter;       /* what it is most of: its number in the world that it came from */
+    double origin[3];      /* metres: where its frame's origin lay there */
+    double age;            /* seconds, since it is a body of its own */
+    double asleep_for;     /* seconds */
+    uint64_t face_count;   /* of its solid */
+    uint32_t broken;       /* how often what it was part of broke since it left the world */
+    uint32_t never_ground; /* 1: it was to become ground, and could not */
+    uint32_t of_part;      /* 1: it came off a part of the level */
+    uint32_t reserved;
+} firma_debris_piece;
+
+/* FIRMA_ERROR_INVALID for a body that is not there, or is no debris; likewise below. */
+FIRMA_API firma_code firma_debris_get(firma_debris debris, firma_bodies bodies, firma_body_id id,
+                                      firma_debris_piece* piece);
+/* Its solid as a world of one room, in the frame of the body's shape: to draw at firma_bodies_get_pose(). Materials
+ * have no names there: their numbers are those of the world that it came from. Costs a look at each of its faces. */
+FIRMA_API firma_code firma_debris_world(firma_debris debris, firma_bodies bodies, firma_body_id id, firma_world* world);
+/* Takes the body out, too. */
+FIRMA_API firma_code firma_debris_remove(firma_debris debris, firma_bodies bodies, firma_body_id id);
+
+typedef enum firma_debris_list {
+    FIRMA_DEBRIS_LOOSE = 0,    /* bodies of what came loose, and of its pieces */
+    FIRMA_DEBRIS_PIECES = 1,   /* pieces of what broke */
+    FIRMA_DEBRIS_REMOVED = 2,  /* that went */
+    FIRMA_DEBRIS_TO_GROUND = 3 /* that became ground */
+} firma_debris_list;
+
+/* Bodies that the last firma_shatter(), firma_explode(), firma_debris_tend(), firma_parts_break() or
+ * firma_parts_carve() with this debris named: `count` gets how many, the first `capacity` are written. Lists that the
+ * call does not fill are empty. FIRMA_ERROR_INVALID for a list that is none. */
+FIRMA_API firma_code firma_debris_named(firma_debris debris, uint32_t list, firma_body_id* ids, size_t capacity,
+                                        size_t* count);
+
+/* A null pointer, and zeros, take the defaults. */
+typedef struct firma_shatter_options {
+    uint32_t size;        /* sizeof(firma_shatter_options) */
+    uint32_t max_spheres; /* of a piece, 1 to 4,096; 0: 12 */
+    firma_world world; /* the world that it lies in, of the level that it came from: each piece is of the matter of its
+                          place there, its spheres keep clear of what is solid. 0: all are of the body's matter */
+} firma_shatter_options;
+
+typedef struct firma_shattered {
+    uint32_t size; /* sizeof(firma_shattered) */
+    uint32_t reserved;
+    uint64_t pieces;                 /* FIRMA_DEBRIS_PIECES names them; the body itself where nothing divided it */
+    uint64_t dust;                   /* pieces too small to be bodies, or without room for a sphere, or buried */
+    uint64_t cracks, refused;        /* planes that divided something, and that could not be cut */
+    double dust_mass;                /* kilograms */
+    double dust_momentum[3];         /* newton seconds */
+    double dust_angular_momentum[3]; /* newton metre seconds, about where the body's centre of mass was */
+} firma_shattered;
+
+/* Breaks a body: its pieces take its place, and keep its momentum and angular momentum. `fracture`, `options` and
+ * `report` may be null. Errors as firma_world_fracture(): then all is as it was. */
+FIRMA_API firma_code firma_shatter(firma_debris debris, firma_bodies bodies, firma_body_id id,
+                                   const firma_fracture_pattern* pattern, const firma_fracture_options* fracture,
+                                   const firma_shatter_options* options, firma_shattered* report);
+
+/* How much debris a game keeps. firma_debris_rules_defaults() sets all; a null pointer takes the same. */
+typedef struct firma_debris_rules {
+    uint32_t size;            /* sizeof(firma_debris_rules) */
+    uint32_t to_ground;       /* 1: sleepers become part of the world instead of going; 0 */
+    uint64_t max_bodies;      /* 256 */
+    uint64_t max_spheres;     /* of all debris together; 4,096 */
+    double max_age;           /* seconds: what is older goes, asleep or not; INFINITY: nothing for its age alone */
+    double max_asleep;        /* seconds; 20 */
+    uint64_t max_to_ground;   /* a call: each is an edit of the world; 1 */
+    double min_to_ground;     /* cubic metres: what is less goes; 0.01 */
+    double max_overlap;       /* metres: so deep another body may be in what becomes ground; 0.02 */
+    const double* keep_clear; /* spheres in the world that stay clear, players say: x, y, z, radius each; may be null */
+    size_t keep_clear_count;
+} firma_debris_rules;
+
+FIRMA_API void firma_debris_rules_defaults(firma_debris_rules* rules);
+
+typedef struct firma_debris_report {
+    uint32_t size; /* sizeof(firma_debris_report) */
+    uint32_t reserved;
+    uint64_t removed;   /* FIRMA_DEBRIS_REMOVED */
+    uint64_t to_ground; /* FIRMA_DEBRIS_TO_GROUND: each an edit, firma_debris_fill() */
+    uint64_t refused;   /* that could not become ground */
+    uint64_t waiting;   /* that wait, as a body or a player is in the way, or for another call */
+} firma_debris_report;
+
+/* Lets debris age, and keeps it within rules: once a frame, after firma_bodies_step(). `after` gets the world after all
+ * that became ground. FIRMA_ERROR_OUT_OF_RANGE for seconds that are not finite, or negative, and for rules that are not
+ * a number, or negative. */
+FIRMA_API firma_code firma_debris_tend(firma_debris debris, firma_bodies bodies, firma_world world, double seconds,
+                                       const firma_debris_rules* rules, firma_world* after,
+                                       firma_debris_report* report);
+/* One of the edits of the last firma_debris_tend(): firma_carve() with `fill`, this cutter, this pose and `material`
+ * makes it again, for a log. The name is good as long as that world, or one that came of it. FIRMA_ERROR_OUT_OF_RANGE
+ * for one that is not there. */
+FIRMA_API firma_code firma_debris_fill(firma_debris debris, size_t fill, firma_cutter* cutter, firma_pose* pose,
+                                       const char** material);
+
+/* ---- blasts ----------------------------------------------------------------------------------------------------- */
+
+typedef struct firma_blast {
+    uint32_t size; /* sizeof(firma_blast) */
+    uint32_t reserved;
+    double at[3];   /* metres */
+    double radius;  /* metres, > 0: nothing is felt from there on; 6 */
+    double impulse; /* newton seconds a square metre that faces it, at `at`; >= 0; 3,000 */
+} firma_blast;
+
+/* At the origin. */
+FIRMA_API void firma_blast_defaults(firma_blast* blast);
+
+/* What is left of it at a distance: (1 - distance / radius)^2, 0 from the radius on. FIRMA_ERROR_OUT_OF_RANGE for a
+ * blast that is not finite or out of range, here and below. */
+FIRMA_API firma_code firma_blast_share(const firma_blast* blast, double distance, double* share);
+/* Newton seconds that it gives to `area` square metres at a point, of which a share `seen` (0 to 1) is not covered. */
+FIRMA_API firma_code firma_blast_impulse(const firma_blast* blast, const double point[3], double area, double seen,
+                                         double impulse[3]);
+/* The share of spheres (x, y, z, radius each) that is seen from a point: five rays a sphere; closed portals and the
+ * fronts of faces that share a bit with `mask` cover. 0 for none. Takes memory for a copy of the spheres. */
+FIRMA_API firma_code firma_exposure(firma_world world, const double from[3], const double* spheres, size_t count,
+                                    uint32_t mask, double* seen);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_push_options {
+    uint32_t size;    /* sizeof(firma_push_options) */
+    uint32_t mask;    /* faces that stop a blast; UINT32_MAX */
+    double max_speed; /* metres a second: a push gives no body more; INFINITY is no limit; 30 */
+} firma_push_options;
+
+FIRMA_API void firma_push_options_defaults(firma_push_options* options);
+
+typedef struct firma_push_report {
+    uint32_t size; /* sizeof(firma_push_report) */
+    uint32_t reserved;
+    uint64_t reached; /* bodies with a sphere within the radius */
+    uint64_t pushed;  /* of these, that were not wholly covered; they wake */
+} firma_push_report;
+
+/* Pushes all bodies near a blast, weaker farther away, and by what stands before them. `report` may be null. */
+FIRMA_API firma_code firma_blast_push(firma_world world, firma_bodies bodies, const firma_blast* blast,
+                                      const firma_push_options* options, firma_push_report* report);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_explode_options {
+    uint32_t size;                    /* sizeof(firma_explode_options) */
+    uint32_t max_broken;              /* what broke so often does not break again; 3 */
+    uint32_t max_pieces;              /* that a body breaks into at most, 1 to 4,096; 12 */
+    uint32_t max_spheres;             /* of a piece, and of what comes loose, 1 to 4,096; 12 */
+    double break_radius;              /* metres around the blast: what is seen in it breaks; 0: nothing does; 3 */
+    double min_volume;                /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;                    /* 1 */
+    const firma_carve_options* carve; /* of the crater; null: the defaults, with `chunks` */
+    firma_push_options push;
+} firma_explode_options;
+
+FIRMA_API void firma_explode_options_defaults(firma_explode_options* options);
+
+typedef struct firma_explosion {
+    uint32_t size;    /* sizeof(firma_explosion) */
+    uint32_t status;  /* firma_carve_status of the crater; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint64_t loose;   /* FIRMA_DEBRIS_LOOSE */
+    uint64_t pieces;  /* FIRMA_DEBRIS_PIECES: of debris that broke */
+    uint64_t broken;  /* bodies that broke, of both */
+    uint64_t unfit;   /* chunks that could not be bodies: lost */
+    uint64_t dust;    /* pieces too small to be bodies */
+    double dust_mass; /* kilograms */
+    uint64_t reached, pushed; /* as in firma_push_report */
+    firma_carve_report carve; /* filled where its own `size` is set; its `loose` is 0 */
+} firma_explosion;
+
+/* A blast in one call: the crater; what comes loose becomes debris and breaks as its matter does; debris near it that
+ * it sees breaks; then all bodies near it are pushed. A cutter of 0 carves nothing. Where the crater is refused all
+ * else happens. `options` and `report` may be null. Errors of firma_carve() and firma_blast_push(). */
+FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bodies,
+                                   const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
+                                   const firma_explode_options* options, firma_world* after, firma_explosion* report);
+
+/* ---- parts of levels -------------------------------------------------------------------------------------------- */
+
+/* A place on a part's way. */
+typedef struct firma_part_stop {
+    double position[3]; /* of the part's frame, metres */
+    double angle;       /* radians about the path's axis */
+    double wait;    /* seconds that it stands here; INFINITY: it goes no further. At the first stop it comes first */
+    double seconds; /* to the next stop, or from the last to the first; not above 0: it is there at once */
+} firma_part_stop;
+
+/* How a part moves by time: stops in turn, a swing, a spin. Pure data; no call changes it. */
+typedef struct firma_part_path {
+    uint32_t size;                /* sizeof(firma_part_path) */
+    uint32_t repeats;             /* 1: goes round for ever; 0: once round, and rests at the first stop */
+    const firma_part_stop* stops; /* may be null when the count is 0: it stands at the origin */
+    size_t stop_count;            /* at most 65,536 */
+    double rotation[4];           /* x, y, z, w, at angle 0 */
+    double axis[3];               /* unit, in the world's axes, of all angles; 0, 0, 1 */
+    double spin;                  /* radians a second about it */
+    double swing_reach[3];        /* metres, to each side of the middle */
+    double swing_angle;           /* radians about the axis, likewise */
+    double swing_period;          /* seconds of a whole cycle; not above 0: none */
+    double swing_phase;           /* of a cycle, at time 0 */
+} firma_part_path;
+
+FIRMA_API void firma_part_path_defaults(firma_part_path* path);
+/* Where a part is at a time; before 0 it stands at its first stop, but for swing and spin. FIRMA_ERROR_OUT_OF_RANGE for
+ * a time, place or spin that is not finite, here and below. All of these cost a copy of the stops. */
+FIRMA_API firma_code firma_part_path_pose(const firma_part_path* path, double seconds, firma_pose* pose);
+/* From one time to another, for firma_parts_set_motions(): both ends are exact, between them it goes evenly. */
+FIRMA_API firma_code firma_part_path_motion(const firma_part_path* path, double from, double to, firma_motion* motion);
+/* The first time after `seconds` at which it arrives at, or leaves, a stop; INFINITY where there is none. */
+FIRMA_API firma_code firma_part_path_next_stop(const firma_part_path* path, double seconds, double* next);
+/* 1 where it stands at its first stop: a door that is shut. */
+FIRMA_API firma_code firma_part_path_at_first_stop(const firma_part_path* path, double seconds, uint32_t* is_there);
+
+/* A part of each entity of a level that moves and has brushes, as they stand at time 0: docs/moving.md says which
+ * classes and keys. Entities that make none, or not what their author meant, are noted. Errors as
+ * firma_world_from_level(). Costs what joining all these brushes costs. */
+FIRMA_API firma_code firma_parts_from_level(firma_level level, const firma_world_options* options, firma_parts* parts);
+
+typedef enum firma_when_blocked {
+    FIRMA_BLOCKED_STOPS = 0,   /* waits where it is: trains, blades */
+    FIRMA_BLOCKED_RETURNS = 1, /* goes back: doors, lifts */
+    FIRMA_BLOCKED_CRUSHES = 2  /* goes on, and what is in the way is hurt, or out of the way */
+} firma_when_blocked;
+
+typedef struct firma_part_info {
+    uint32_t size;              /* sizeof(firma_part_info) */
+    uint32_t entity;            /* number in firma_level_view.entities; FIRMA_NO_PART of one that no level made */
+    uint32_t when_blocked;      /* firma_when_blocked */
+    uint32_t waits_for_trigger; /* 1: its path is of the time since it is set off; 0: of the level's time */
+    uint32_t breaks;            /* 1: to be destroyed: firma_parts_breakable() */
+    uint32_t mask;
+    double low[3], high[3]; /* bounds of its solid in its frame, metres; low > high for one without faces */
+    uint64_t face_count;
+    firma_motion motion;
+} firma_part_info;
+
+/* FIRMA_ERROR_OUT_OF_RANGE for a part that is not there, here and below. */
+FIRMA_API firma_code firma_parts_get(firma_parts parts, uint32_t index, firma_part_info* info);
+/* The path that a level gave it; of others one that stands at the origin. Its stops are good until the handle is
+ * released, or a part added. */
+FIRMA_API firma_code firma_parts_path(firma_parts parts, uint32_t index, firma_part_path* path);
+/* Its solid, in its frame. */
+FIRMA_API firma_code firma_parts_world(firma_parts parts, uint32_t index, firma_world* world);
+/* What making the parts of a level noted: `count` gets how many; the first `capacity` entities and texts are written,
+ * where the pointers are not null. Texts are good until the handle is released. */
+FIRMA_API firma_code firma_parts_notes(firma_parts parts, uint32_t* entities, const char** notes, size_t capacity,
+                                       size_t* count);
+/* The portals that a part closes where its motion begins, ascending; `count` gets how many, the first `capacity` are
+ * written. For a door that is shut: firma_world_set_portal_open(). */
+FIRMA_API firma_code firma_parts_portals(firma_parts parts, uint32_t index, firma_world level, uint32_t* portals,
+                                         size_t capacity, size_t* count);
+/* A pose of the world as a part sees it at a fraction of its motion: where to carve its solid. */
+FIRMA_API firma_code firma_parts_pose_in(firma_parts parts, uint32_t index, double fraction, const firma_pose* pose,
+                                         firma_pose* seen);
+
+/* ---- parts that break ------------------------------------------------------------------------------------------- */
+
+/* In place of a matter: that which its textures say. */
+#define FIRMA_NO_MATTER UINT32_MAX
+
+/* What a part bears, and what is left of that: kept by the caller. */
+typedef struct firma_breakable {
+    uint32_t size;    /* sizeof(firma_breakable) */
+    uint32_t matter;  /* of all of it, or FIRMA_NO_MATTER */
+    double health;    /* what is left, by its author's measure; not above 0: nothing hurts it */
+    double whole;     /* cubic metres of its solid before anything was taken of it */
+    double max_taken; /* of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never; 0.5 */
+    double damage;    /* of the explosion that it makes, by its author's measure */
+    uint32_t broken;  /* 1: it is */
+    uint32_t reserved;
+} firma_breakable;
+
+/* Of a part, as its level has it; of one that no level made with a health of 0. Costs its faces. */
+FIRMA_API firma_code firma_parts_breakable(firma_parts parts, uint32_t index, firma_breakable* breakable);
+/* Takes from its health; `breaks` gets 1 where this breaks it: call firma_parts_break(). FIRMA_ERROR_OUT_OF_RANGE for a
+ * damage that is not finite, or negative. */
+FIRMA_API firma_code firma_breakable_hurt(firma_breakable* breakable, double damage, uint32_t* breaks);
+/* The share of a blast that a part feels at its nearest point; 0 where the level stands before that. */
+FIRMA_API firma_code firma_parts_blast_felt(firma_parts parts, uint32_t index, firma_world level,
+                                            const firma_blast* blast, double fraction, double* share);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_break_options {
+    uint32_t size;           /* sizeof(firma_break_options) */
+    uint32_t max_pieces;     /* of each connected piece, at most; 1 to 4,096; 12 */
+    uint32_t max_spheres;    /* of a piece; 1 to 4,096; 12 */
+    uint32_t unbroken;       /* 1: it falls as it is; 0 */
+    uint32_t has_impact;     /* 1: `impact` counts; 0 */
+    uint32_t reserved;       /* must be 0 */
+    double impact[3];        /* in the world, metres: pieces are smallest there */
+    double fraction;         /* of the part's motion, 0 to 1, where it breaks; 0 */
+    double seconds;          /* that its motion takes: pieces go on as it went; 0: they begin at rest */
+    double min_volume;       /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;           /* 1 */
+    const uint32_t* portals; /* opened as well as those that it covers: that it closed when it was whole; may be null */
+    size_t portal_count;
+} firma_break_options;
+
+FIRMA_API void firma_break_options_defaults(firma_break_options* options);
+
+typedef struct firma_break_report {
+    uint32_t size; /* sizeof(firma_break_report) */
+    uint32_t reserved;
+    uint64_t pieces;  /* FIRMA_DEBRIS_PIECES */
+    uint64_t unfit;   /* pieces of its solid that could be no bodies: lost */
+    uint64_t dust;    /* pieces too small to be bodies */
+    double dust_mass; /* kilograms */
+    uint64_t opened;  /* portals that it closed, and that are open now */
+} firma_break_report;
+
+/* Breaks a part: its pieces become debris where it stands. The part keeps its number, without a face; the portals that
+ * it closed are opened in `after`. `breakable` becomes broken; it, `options` and `report` may be null. A part without
+ * solid breaks into nothing. */
+FIRMA_API firma_code firma_parts_break(firma_parts parts, uint32_t index, firma_world level, firma_breakable* breakable,
+                                       firma_debris debris, firma_bodies bodies, const firma_break_options* options,
+                                       firma_world* after, firma_break_report* report);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_part_cut_options {
+    uint32_t size; /* sizeof(firma_part_cut_options) */
+    uint32_t
+        hold_largest; /* 0: the level's faces hold what touches them; 1: the largest piece is held, by what moves it */
+    double touch;     /* metres within which a face holds; 1/32 */
+    const firma_carve_options* carve; /* of the cut; null: the defaults */
+    firma_break_options pieces;
+} firma_part_cut_options;
+
+FIRMA_API void firma_part_cut_options_defaults(firma_part_cut_options* options);
+
+typedef struct firma_part_cut {
+    uint32_t size;   /* sizeof(firma_part_cut) */
+    uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint64_t loose;  /* FIRMA_DEBRIS_LOOSE: what the cut left that nothing holds, unbroken */
+    uint64_t unfit;  /* such pieces that could be no bodies: lost */
+    uint32_t broke;  /* 1: what was left broke or fell: FIRMA_DEBRIS_PIECES, and `rest` */
+    uint32_t reserved;
+    double volume;   /* cubic metres that the cutter took */
+    uint64_t opened; /* portals that it closed before, and that are open now: it has a hole there, or it broke */
+    firma_break_report rest; /* filled where its own `size` is set */
+} firma_part_cut;
+
+/* Carves a part where it stands. Pieces that nothing holds become bodies; where more than max_taken was taken, or
+ * nothing holds any of it, the rest goes as by firma_parts_break(). `pose`: of the cutter, in the world. `breakable`,
+ * `options` and `report` may be null. Errors of firma_carve(). */
+FIRMA_API firma_code firma_parts_carve(firma_parts parts, uint32_t index, firma_world level, firma_breakable* breakable,
+                                       firma_cutter cutter, const firma_pose* pose, firma_debris debris,
+                                       firma_bodies bodies, const firma_part_cut_options* options, firma_world* after,
+                                       firma_part_cut* report);
+
+/* ---- what faces hold -------------------------------------------------------------------------------------------- */
+
+typedef enum firma_support_kind {
+    FIRMA_SUPPORT_TOUCHES = 0, /* whatever faces its sides touch */
+    FIRMA_SUPPORT_STANDS = 1,  /* it is put down first; then what is below it */
+    FIRMA_SUPPORT_HANGS = 2    /* whatever faces are as near as the nearest */
+} firma_support_kind;
+
+/* Something that faces may hold: docs/support.md. */
+typedef struct firma_supported {
+    uint32_t entity; /* the caller's number for it */
+    uint32_t kind;   /* firma_support_kind */
+    double low[3];   /* a box, metres */
+    double high[3];
+    double reach;      /* metres: from a side to what holds it; how far down; how far around */
+    uint32_t mask;     /* faces that share a bit hold; 0: those that stop walkers */
+    uint32_t reserved; /* must be 0 */
+} firma_supported;
+
+/* What holds things. FIRMA_ERROR_INVALID, with the thing's number, for one that is not finite or out of range. Costs
+ * the faces near each. */
+FIRMA_API firma_code firma_supports_find(firma_world world, const firma_supported* things, size_t count,
+                                         firma_supports* supports);
+/* Of the entities of a level that something may hold: parts, what is put down, what hangs. `parts` is
+ * firma_parts_from_level() of it; 0: without them. */
+FIRMA_API firma_code firma_supports_from_level(firma_world world, firma_level level, firma_parts parts,
+                                               firma_supports* supports);
+
+typedef struct firma_support {
+    uint32_t size; /* sizeof(firma_support) */
+    uint32_t entity;
+    uint32_t kind; /* firma_support_kind */
+    uint32_t reserved;
+    uint64_t face_count; /* that hold it: firma_supports_faces() */
+    double area;         /* square metres that hold it; 0: nothing does */
+    double lowered;      /* metres that it stands below where it was given */
+} firma_support;
+
+FIRMA_API firma_code firma_supports_get_count(firma_supports supports, size_t* count);
+/* FIRMA_ERROR_OUT_OF_RANGE for one that is not there, here and below. */
+FIRMA_API firma_code firma_supports_get(firma_supports supports, size_t thing, firma_support* support);
+/* The ids of the faces that hold it, ascending, and the square metres of each; either may be null. */
+FIRMA_API firma_code firma_supports_faces(firma_supports supports, size_t thing, uint32_t* faces, double* areas,
+                                          size_t capacity, size_t* count);
+FIRMA_API firma_code firma_supports_release(firma_supports supports);
+
+typedef enum firma_support_loss {
+    FIRMA_SUPPORT_KEPT = 0, /* as much holds it as before, or more: other faces in place of those that went */
+    FIRMA_SUPPORT_LESS = 1,
+    FIRMA_SUPPORT_LOST = 2 /* nothing holds it any more */
+} firma_support_loss;
+
+typedef struct firma_support_change {
+    uint32_t thing; /* its number in the supports */
+    uint32_t entity;
+    uint32_t loss;        /* firma_support_loss */
+    uint32_t buried;      /* 1: its middle is in solid now: it was filled in */
+    uint64_t lost;        /* how many of the faces that held it went */
+    double before, after; /* square metres that hold it */
+} firma_support_change;
+
+/* The things whose supporting faces went or came between the world that `before` is of and another, by thing: `count`
+ * gets how many, the first `capacity` are written. `after` gets the supports in that world, and may be null. `was`: the
+ * world that `before` is of; with it only what is near the difference is searched; 0: all is. */
+FIRMA_API firma_code firma_supports_diff(firma_supports before, firma_world was, firma_world world,
+                                         firma_support_change* changes, size_t capacity, size_t* count,
+                                         firma_supports* after);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 

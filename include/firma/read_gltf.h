@@ -16,6 +16,7 @@
 #include "firma/mesh.h"
 #include "firma/result.h"
 #include "firma/rooms.h"
+#include "firma/turn.h"
 #include "firma/vec.h"
 #include "firma/world.h"
 
@@ -27,6 +28,9 @@ struct GltfOptions {
     int up = 2;
     /// Of all triangles of all instances; meshes may be placed many times by a small file.
     std::uint64_t max_triangles = std::uint64_t(1) << 26;
+    /// Names of nodes that are parts which move (GltfLevel::parts), besides those with `extras.part` or `firma_part`
+    /// true.
+    std::vector<std::string> parts{};
 };
 
 /// A node of the scene, in the order of the file's tree: parents before children.
@@ -53,11 +57,22 @@ struct GltfPortal {
     std::vector<std::vector<GridPoint>> polygons;
 };
 
+/// A node that moves, with the meshes of all nodes below that are no parts themselves: a level of its own, in the
+/// node's frame. For moving_parts.h: MovingPart(make_world(part.level).value(), {part.position, part.rotation}).
+struct GltfPart {
+    std::string name;                 ///< the node's
+    std::uint32_t node = 0;           ///< index in the file
+    Vec3 position;                    ///< of the frame, metres, in the level
+    Quaternion rotation{0, 0, 0, 1};  ///< of the frame; scales and mirrors are in the level
+    Level level;                      ///< sources numbered from 0, as GltfLevel::level
+};
+
 struct GltfLevel {
     /// Sources are triangles, numbered from 0 in order of node, primitive and triangle, those of portals left out; a
     /// face of several has the number of the first. Groups are names of nodes. Textures are those of TEXCOORD_0.
     Level level;
     std::vector<GltfPortal> portals;
+    std::vector<GltfPart> parts;     ///< in order of node; their faces are none of `level`
     std::vector<GltfNode> nodes;     ///< all of the scene, with meshes or without
     std::vector<std::string> notes;  ///< what was left out or not understood: a sentence for each kind of thing
     std::vector<Vec3> note_places;   ///< for each of Level::notes the first corner of the triangles in question, metres

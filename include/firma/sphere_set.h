@@ -37,8 +37,8 @@ struct SphereFit {
 };
 
 /// Covers a solid from inside with few spheres: of the largest balls that touch its surface from inside, those that are
-/// near most of it are taken first.
-/// @param solid  closed, without rock outside: a chunk, a piece, a mesh that make_solid() read
+/// near most of it are taken first. It stops when max_error is reached, or max_spheres.
+/// @param solid  closed, without rock outside (Solid::rock_outside()): a chunk, a piece, a mesh that make_solid() read
 /// @return kInvalid for a solid without faces, with rock outside, or without room for any sphere; for options that are
 ///         not finite or out of range. The same bits on every machine.
 /// Costs some thousand searches for the nearest facet and the product of a thousand balls and some thousand points of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines on the screen: where one is, what the casts tested, how long things took.
+// The figures of the engine, behind a key: where one is, what the casts tested, how long things took.
 const kEvery = 150; // milliseconds between two changes of the text, as it is to be read
 
 const number = (value, digits) => (Number.isFinite(value) ? value.toFixed(digits) : '-');
@@ -58,8 +58,10 @@ export function describeSet(set) {
 }
 
 export class Hud {
-    constructor(root) {
-        this.lines = Object.fromEntries(['place', 'aim', 'move', 'times', 'shot', 'set'].map((name) => [name, root.querySelector(`.${name}`)]));
+    /** @param root  of the figures @param told  where it stands what came of a scene, for those without them */
+    constructor(root, told) {
+        this.lines = Object.fromEntries(['place', 'aim', 'moves', 'times', 'shot', 'set'].map((name) => [name, root.querySelector(`.${name}`)]));
+        this.told = told;
         this.shown = -Infinity;
     }
 
@@ -74,11 +76,13 @@ export class Hud {
         set('aim', s.aim ? `looking: ${s.aim.met ? `${s.aim.material || 'rock'} at ${number(s.aim.distance, 2)} m` : 'nothing'}` +
             `${s.aim.rooms.length > 1 ? `, through ${s.aim.rooms.join(', ')}` : ''}` +
             `; the cast tested ${counts(s.aim.counts)}` : '');
-        set('move', `moving: ${s.move.casts} casts tested ${counts(s.move.counts)}`);
+        set('moves', `moving: ${counted(s.debris.bodies, 'body').replace('bodys', 'bodies')}, ${s.debris.awake} awake, a step ${number(s.times.bodyMs.median, 2)} ms   ` +
+            `${s.rockets} rockets, ${s.grenades} grenades   ${s.doors.all} doors`);
         set('times', `frame ${number(s.times.frameMs.median, 1)} ms (ours ${number(s.times.workMs.median, 2)})   ` +
-            `cast ${number(s.times.castUs.median, 1)} \u00b5s (least ${number(s.times.castUs.least, 1)})   ` +
+            `a move of the player ${number(s.times.moveUs.median, 1)} \u00b5s (least ${number(s.times.moveUs.least, 1)})   ` +
             `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})   drawn anew in ${number(s.times.meshMs.median, 2)} ms (last ${number(s.times.meshMs.last, 2)})`);
         set('shot', s.set ? '' : describeShot(s.shot)); // of a scene all shots together
         set('set', describeSet(s.set));
+        this.told.textContent = describeSet(s.set);
     }
 }

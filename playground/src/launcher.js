@@ -1,29 +1,34 @@
 // SPDX-License-Identifier: MIT
 // Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
-import { countChunks } from './loose_chunks.js';
-import { kStopsSight } from './masks.js';
+import { countChunks } from './chunk_counts.js';
+import { kStopsShots, kStopsSight } from './masks.js';
 import { Samples } from './samples.js';
 import { dot, subtract } from './vector.js';
 
 const kReach = 250; // metres
 const kCraterScale = 1.2;
 const kHistoryBytes = 256 * 1024 * 1024;
-// What is cut off leaves. As heavy as concrete, kg/m3.
-const kCarveOptions = { material: 'rubble', chunks: { density: 2400 } };
+// What is cut off leaves, as heavy as concrete, kg/m3. The faces of a crater are of the matter that it cuts.
+const kCarveOptions = { chunks: { density: 2400 } };
 
 export class Launcher {
     /**
      * @param onChange  (before, after): the worlds, after each change
      * @param onLoose  (loose): what a shot cut off, after that; the handle goes when it returns
+     * @param onBlast  (cutter, pose): a crater was tried, after all that; the cutter goes when it returns
      */
-    constructor(firma, world, probe, onChange, onLoose = () => {}) {
+    constructor(firma, world, probe, onChange, onLoose = () => {}, onBlast = () => {}) {
         this.firma = firma;
         this.store = firma.openStore(world, kHistoryBytes);
         this.world = world;
         this.materials = world.facts().materials;
+        this.matters = world.matters().matters;
         this.probe = probe;
         this.onChange = onChange;
         this.onLoose = onLoose;
+        this.onBlast = onBlast;
+        this.scene = () => this.world; // what flies meets, with what moves in it
+        this.matterOfPart = () => '';
         this.shots = 0;
         this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report, chunks, portals }
         this.cutMs = new Samples(60);
@@ -52,26 +57,52 @@ export class Launcher {
         const path = direction.map((x) => x * kReach);
         const hit = this.probe.measure(() => this.probe.cast(eye, 0, path, kStopsSight, room, passed));
         const met = hit.hit;
-        return { hit, met, passed, distance: met ? hit.fraction * kReach : Infinity, material: met ? (hit.portal !== null ? 'closed portal' : this.materials[hit.material]) : '' };
+        return { hit, met, passed, distance: met ? hit.fraction * kReach : Infinity, material: met ? this.#nameOf(hit) : '' };
     }
 
+    /** What something that flies meets along a path, for strike(); null for nothing. */
+    meet(from, path) {
+        const hit = this.firma.castScene(this.scene(), { centre: from, radius: 0, path }, { mask: kStopsSight });
+        if (!hit.hit) return null;
+        if (hit.part !== null) return { hit, met: true, material: 'part', edit: 0, matter: this.matterOfPart(hit.part) };
+        return { hit, met: true, material: this.#nameOf(hit), edit: this.world.hitInfo(hit).sourceEdit, matter: this.#matterOf(hit) };
+    }
+
+    /** A crater at once, where somebody looks. */
     fire(eye, direction, room) {
         const target = this.aim(eye, direction, room);
         if (!target.met) return (this.last = { status: 'missed', target });
         if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
+        return this.strike({ ...target, edit: this.world.hitInfo(target.hit).sourceEdit, matter: this.#matterOf(target.hit) });
+    }
+
+    /** A crater where something was met. @param target  of aim() or meet() */
+    strike(target) {
+        if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
         const seed = ++this.shots;
         const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
         // A crater in a crater goes on from the wall that the first one hit, so that colours by depth go on too.
-        const wall = this.dents.get(this.world.hitInfo(target.hit).sourceEdit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
-        this.#carve(seed, pose, { ...wall, scale: kCraterScale });
-        this.last.target = target;
-        return this.last;
+        const wall = this.dents.get(target.edit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
+        return Object.assign(this.#carve(seed, pose, { ...wall, scale: kCraterScale }), { target, matter: target.matter });
+    }
+
+    /** A crater around a point in the air, as grenades leave: of what is near. */
+    burst(point) {
+        const seed = ++this.shots;
+        const near = this.world.closest(point, kCraterScale, { mask: kStopsShots });
+        const away = near ? subtract(point, near.point) : [0, 0, 1];
+        const size = Math.hypot(...away);
+        const normal = size > 1e-6 ? away.map((x) => x / size) : [0, 0, 1];
+        const pose = { position: point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
+        const matter = near ? this.#matterOf(near) : '';
+        return Object.assign(this.#carve(seed, pose, { point: near?.point ?? point, normal, scale: kCraterScale }), { normal, matter });
     }
 
     /** A rocky crater wherever one likes, not turned. */
     shootAt({ position, scale, seed }) {
+        const matter = this.matters[this.world.matterAt(position)].name;
         // Somewhat dark all over: no wall is known that it begins at.
-        return this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale });
+        return Object.assign(this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale }), { matter });
     }
 
     undo() {
@@ -82,12 +113,12 @@ export class Launcher {
         return this.#travel('redone', (facts) => facts.current < facts.newest, () => this.store.redo());
     }
 
-    /** Opens or closes a portal: an edit like others. */
-    turnPortal(portal) {
+    /** Opens or closes a portal: an edit like others. @param quiet  what was told of the last shot stays */
+    turnPortal(portal, quiet = false) {
         const { open } = this.world.portal(portal);
         const after = this.world.setPortalOpen(portal, !open);
         this.store.publish(this.world, after);
-        this.last = { status: open ? 'closed' : 'opened' };
+        if (!quiet) this.last = { status: open ? 'closed' : 'opened' };
         this.#change(after);
     }
 
@@ -97,6 +128,15 @@ export class Launcher {
         return dent ? -dot(subtract(point, dent.point), dent.normal) / dent.scale : 0;
     }
 
+    #nameOf(hit) {
+        return hit.portal !== null ? 'closed portal' : this.materials[hit.material];
+    }
+
+    /** The name of the matter that was met; '' for a closed portal, too. */
+    #matterOf(hit) {
+        return hit.face === null ? '' : this.matters[this.world.matterOf(hit)].name;
+    }
+
     /** @param dent  for colours: where the crater lies */
     #carve(seed, pose, dent) {
         const cutter = this.firma.crater('rocky', seed);
@@ -104,12 +144,17 @@ export class Launcher {
         const start = performance.now();
         const { world: after, report } = before.carve(cutter, pose, kCarveOptions);
         const cutMs = performance.now() - start;
-        cutter.release();
         this.last = { status: report.status, reason: report.reason, cutMs, report };
-        if (report.status !== 'done') {
-            after.release();
-            return this.last;
-        }
+        if (report.status === 'done') this.#take(before, after, dent);
+        else after.release();
+        this.onBlast(cutter, pose);
+        cutter.release();
+        return this.last;
+    }
+
+    /** A crater's world becomes that of the moment. */
+    #take(before, after, dent) {
+        const { report, cutMs } = this.last;
         this.cutMs.add(cutMs);
         const [portals, facts] = [before.facts().portalCount, after.facts()];
         this.last.portals = Array.from({ length: facts.portalCount - portals }, (_, k) => portals + k);
@@ -118,7 +163,6 @@ export class Launcher {
         this.store.publish(before, after);
         this.last.meshMs = this.#change(after, report.loose);
         report.loose = null;
-        return this.last;
     }
 
     #travel(name, isThere, move) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Loads Firma and a level, runs the frames, and offers window.firmaPlayground to whoever drives the page by program.
-import { loadFirma } from 'firma';
+import { loadGames, Projectiles } from 'firma/games';
 import { Game } from './game.js';
 import { describeShot, Hud } from './hud.js';
+import { listenToButtons } from './held_buttons.js';
 import { Input } from './input.js';
 import { kLevels, levelName, loadLevel } from './load_level.js';
 import { kStopsWalk } from './masks.js';
+import { renderSound, Sound } from './sound.js';
+import { kSounds } from './sound_recipes.js';
 import { Stage } from './stage.js';
+import { Touch } from './touch.js';
 
 const kLongestFrame = 0.1; // seconds: after a pause time does not jump
 
@@ -14,7 +18,7 @@ const kLongestFrame = 0.1; // seconds: after a pause time does not jump
 const hooks = { done: false, error: null, frames: 0 };
 window.firmaPlayground = hooks;
 
-function offerHooks(game, loop, draw) {
+function offerHooks(game, loop, draw, heldNow) {
     Object.assign(hooks, {
         state: () => game.state(),
         /** Stops time; from then on only step() moves anything. */
@@ -41,6 +45,13 @@ function offerHooks(game, loop, draw) {
         startSet: (name) => game.startSet(name),
         togglePortals: () => game.togglePortals(),
         turnPortal: () => game.turnPortal(),
+        /** What a sound is like, played nowhere. */
+        async renderSound(name) {
+            const samples = await renderSound(name);
+            return { peak: samples.reduce((most, x) => Math.max(most, Math.abs(x)), 0), energy: samples.reduce((sum, x) => sum + x * x, 0), finite: samples.every(Number.isFinite) };
+        },
+        sounds: () => Object.keys(kSounds),
+        heldNow,
         /** Draws now, `dt` seconds later for what fades. */
         draw: (dt = 0) => draw(dt),
         hash: () => game.launcher.world.hash().toString(16),
@@ -49,7 +60,7 @@ function offerHooks(game, loop, draw) {
         clearance() {
             const { feet } = game.player;
             const centres = [0.35, 0.85, 1.35].map((z) => [feet[0], feet[1], feet[2] + z]);
-            const world = game.launcher.world;
+            const { world } = game.launcher;
             return {
                 distance: Math.min(...centres.map((centre) => world.closest(centre, 10, { mask: kStopsWalk })?.distance ?? 10)),
                 inSolid: centres.some((centre) => world.locate(centre).where === 'solid'),
@@ -59,16 +70,27 @@ function offerHooks(game, loop, draw) {
     });
 }
 
-/** Buttons for what the level has. */
-function offerSets(game) {
-    for (const name of ['bridge', 'wall']) {
-        const button = document.querySelector(`#${name}`);
-        button.hidden = !game.sets.plans[name];
-        button.addEventListener('click', () => {
-            button.blur(); // the space bar is for jumping
-            game.startSet(name);
-        });
-    }
+/** Fingers rather than a mouse: other buttons, and fewer pixels. */
+const isTouched = () => document.body.classList.contains('touch');
+function beTouched() {
+    if (!isTouched()) document.body.classList.add('touch', 'without-help');
+}
+
+/** What keys and buttons do at once. */
+function actionsOf(game, sound, name) {
+    return {
+        undo: () => game.undo(),
+        redo: () => game.redo(),
+        respawn: () => game.respawn(),
+        portals: () => game.togglePortals(),
+        door: () => game.turnPortal(),
+        bridge: () => game.startSet('bridge'),
+        wall: () => game.startSet('wall'),
+        level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
+        help: () => document.body.classList.toggle('without-help'),
+        figures: () => document.body.classList.toggle('figures'),
+        sound: () => document.querySelector('#more [data-do=sound]').classList.toggle('on', sound.toggle()),
+    };
 }
 
 /** Calls `frame` with the seconds gone by, for each frame of the browser. */
@@ -87,31 +109,29 @@ async function start() {
     const message = document.querySelector('#message');
     try {
         const name = levelName(location.search);
-        const [firma] = await Promise.all([loadFirma(new URL('firma.wasm', document.baseURI))]);
+        const firma = await loadGames(new URL('firma_games.wasm', document.baseURI));
         const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
         const stage = new Stage(canvas);
-        const game = new Game(firma, world, name, stage, from);
-        const hud = new Hud(document.querySelector('#hud'));
+        const sound = new Sound();
+        const game = new Game({ firma, Projectiles, world, levelName: name, stage, sound, start: from });
+        const hud = new Hud(document.querySelector('#hud'), document.querySelector('#told'));
         document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
 
-        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, 2));
+        if (matchMedia('(pointer: coarse)').matches) beTouched();
+        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, isTouched() ? 1.5 : 2));
         addEventListener('resize', resize);
         resize();
-        const input = new Input(canvas, game.player, {
-            fire: () => game.fire(),
-            undo: () => game.undo(),
-            redo: () => game.redo(),
-            respawn: () => game.respawn(),
-            portals: () => game.togglePortals(),
-            door: () => game.turnPortal(),
-            bridge: () => game.startSet('bridge'),
-            wall: () => game.startSet('wall'),
-            level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
-            help: () => document.body.classList.toggle('without-help'),
+        const actions = actionsOf(game, sound, name);
+        const input = new Input(canvas, game.player, actions);
+        const touch = new Touch(canvas, game.player, document.querySelector('#stick'), () => {
+            if (isTouched()) return;
+            beTouched();
+            resize();
         });
+        listenToButtons(document, input.keys, input.taps, actions);
+        for (const set of ['bridge', 'wall']) document.querySelector(`#${set}`).hidden = !game.sets.plans[set];
 
-        offerSets(game);
         const loop = { running: true };
         const draw = (dt) => {
             game.aim();
@@ -120,11 +140,11 @@ async function start() {
             ++hooks.frames;
         };
         draw(0);
-        offerHooks(game, loop, draw);
+        offerHooks(game, loop, draw, () => ({ ...input.keys, ...touch.keys }));
         runFrames(loop, (dt) => {
             const began = performance.now();
             input.turn(Math.min(dt, kLongestFrame));
-            game.step(Math.min(dt, kLongestFrame), input.keys);
+            game.step(Math.min(dt, kLongestFrame), input.take(touch.keys));
             draw(dt);
             game.frameMs.add(dt * 1000);
             game.workMs.add(performance.now() - began);

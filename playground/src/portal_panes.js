@@ -30,16 +30,18 @@ export class PortalPanes {
         this.group = new THREE.Group();
         this.all = false; // open ones, too
         this.portals = [];
+        this.doors = new Set();
     }
 
-    /** @param portals  as World.portal() gives them */
-    show(portals, all = this.all) {
+    /** @param portals  as World.portal() gives them @param doors  numbers of those that a door shuts: their panes are not drawn */
+    show(portals, all = this.all, doors = this.doors) {
         this.portals = portals;
         this.all = all;
+        this.doors = doors;
         for (const child of this.group.children) child.geometry.dispose();
         this.group.clear();
         for (const [open, colour, opacity] of [[true, kOpen, 0.25], [false, kClosed, 0.55]]) {
-            const shown = portals.filter((portal) => portal.open === open && (all || !open) && portal.polygons.length > 0);
+            const shown = portals.filter((portal, k) => portal.open === open && (all || (!open && !doors.has(k))) && portal.polygons.length > 0);
             if (shown.length === 0) continue;
             const triangles = [];
             for (const portal of shown) for (const corners of portal.polygons) fan(corners, triangles);

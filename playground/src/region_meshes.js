@@ -26,12 +26,13 @@ function eachPart({ runs, parts }, visit) {
 export class RegionMeshes {
     /**
      * @param painter  colours: paint(face, x, y, z, out) puts red, green, blue of 0..255 and a kind into `out`
-     * @param clearMaterial  draws what one sees through, over the rest, from the same buffers
+     * @param materials  `solid`; `clear` draws what one sees through, over the rest, from the same buffers
+     * @param shadow  the material of shadows that it throws
      */
-    constructor(material, painter, clearMaterial) {
-        this.material = material;
-        this.clearMaterial = clearMaterial;
+    constructor(materials, painter, shadow) {
+        this.materials = materials;
         this.painter = painter;
+        this.shadow = shadow;
         this.group = new THREE.Group();
         this.regions = new Map(); // place -> { geometry, group, origin, faces: their ids, ids: of the face of each triangle }
         this.faceCount = 0;
@@ -79,8 +80,11 @@ export class RegionMeshes {
         geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new THREE.Sphere());
         const group = new THREE.Group();
         group.position.set(...mesh.origin);
-        group.add(new THREE.Mesh(geometry, this.material));
-        if (clear) group.add(new THREE.Mesh(geometry, this.clearMaterial));
+        const solid = new THREE.Mesh(geometry, this.materials.solid);
+        solid.castShadow = solid.receiveShadow = true;
+        solid.customDepthMaterial = this.shadow;
+        group.add(solid);
+        if (clear) group.add(new THREE.Mesh(geometry, this.materials.clear));
         this.group.add(group);
         const region = { geometry, group, origin: mesh.origin, faces: mesh.parts.faces, ids: mesh.faces };
         this.regions.set(place, region);

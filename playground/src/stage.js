@@ -1,61 +1,67 @@
 // SPDX-License-Identifier: MIT
-// What is drawn, but for the faces: camera, lights, fog, the flash of a shot, a cast that is shown.
+// What is drawn, but for the faces: camera, light, fog, a cast that is shown; and what blasts add to it.
 import * as THREE from 'three';
+import { BlastLight } from './blast_light.js';
+import { ParticleView } from './particle_view.js';
+import { Particles } from './particles.js';
+import { Sun } from './sun.js';
 
 const kFog = 0x8f9aa6;
-const kFlashSeconds = 0.35;
+const kUpright = 78; // degrees from the lower edge to the upper one
+const kLeastAcross = 62; // degrees from side to side: on an upright phone as well
+const kMostUpright = 102;
+const kDust = 320;
+const kGlow = 420;
+
+/** Degrees from the lower edge to the upper one for a picture so many times as wide as high. */
+export function uprightAngle(aspect) {
+    const half = (degrees) => Math.tan((degrees * Math.PI) / 360);
+    const asked = (360 / Math.PI) * Math.atan(half(kLeastAcross) / aspect);
+    return Math.min(kMostUpright, Math.max(kUpright, asked));
+}
 
 export class Stage {
     constructor(canvas) {
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
         this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
-        this.renderer.toneMappingExposure = 1.0;
+        this.renderer.toneMappingExposure = 1.15;
         this.scene = new THREE.Scene();
         this.scene.background = new THREE.Color(kFog);
         this.scene.fog = new THREE.FogExp2(kFog, 0.009);
-        this.camera = new THREE.PerspectiveCamera(78, 1, 0.05, 400);
+        this.camera = new THREE.PerspectiveCamera(kUpright, 1, 0.05, 400);
         this.camera.up.set(0, 0, 1);
-
-        this.scene.add(new THREE.HemisphereLight(0xe6edf8, 0xa39a90, 1.7));
-        const sun = new THREE.DirectionalLight(0xfff3e0, 1.3);
-        sun.position.set(0.55, -0.35, 0.75);
-        this.scene.add(sun);
+        this.sun = new Sun(this.scene, this.renderer);
         this.lamp = new THREE.PointLight(0xffe8c8, 9, 22, 1.5); // on the helmet: what is near stands out
-        this.flash = new THREE.PointLight(0xffa040, 0, 14, 1.2);
-        this.ball = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
-            new THREE.MeshBasicMaterial({ color: 0xffc060, transparent: true, depthWrite: false }));
-        this.ball.visible = false;
-        this.trace = new THREE.Line(new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), new THREE.Vector3()]),
-            new THREE.LineBasicMaterial({ color: 0xffe0a0, transparent: true, depthWrite: false }));
-        this.trace.frustumCulled = false;
-        this.trace.visible = false;
+        this.blast = new BlastLight();
+        this.dust = new Particles(kDust);
+        this.glow = new Particles(kGlow);
+        this.views = [new ParticleView(this.dust, false), new ParticleView(this.glow, true)];
         this.cast = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x40ff80, fog: false }));
         this.cast.visible = false;
-        this.scene.add(this.lamp, this.flash, this.ball, this.trace, this.cast);
-        this.sinceShot = Infinity;
+        this.scene.add(this.lamp, this.blast.light, this.cast, ...this.views.map((view) => view.points));
     }
 
     resize(width, height, ratio) {
         this.renderer.setPixelRatio(ratio);
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
+        this.camera.fov = uprightAngle(this.camera.aspect);
         this.camera.updateProjectionMatrix();
     }
 
-    /** Somebody's eye, and where it looks. */
-    view(eye, direction) {
+    /** Somebody's eye, where it looks, and how it shakes: radians to the left, up and about the view. */
+    view(eye, direction, [yaw, pitch, roll] = [0, 0, 0]) {
         this.camera.position.set(...eye);
         this.camera.lookAt(eye[0] + direction[0], eye[1] + direction[1], eye[2] + direction[2]);
+        this.camera.rotateY(yaw);
+        this.camera.rotateX(pitch);
+        this.camera.rotateZ(roll);
         this.lamp.position.set(eye[0], eye[1], eye[2] + 0.25);
     }
 
-    /** A shot from an eye went off there. */
-    explode(eye, point, normal) {
-        const muzzle = new THREE.Vector3(0.18, -0.16, -0.3).applyQuaternion(this.camera.quaternion);
-        this.trace.geometry.setFromPoints([muzzle.add(new THREE.Vector3(...eye)), new THREE.Vector3(...point)]);
-        this.ball.position.set(...point);
-        this.flash.position.set(...point.map((x, k) => x + 0.4 * normal[k]));
-        this.sinceShot = 0;
+    /** Where something leaves that is held at the right, beside the eye. */
+    muzzle() {
+        return new THREE.Vector3(0.2, -0.18, -0.35).applyQuaternion(this.camera.quaternion).toArray();
     }
 
     /** Shows where a cast went, from now on; null: no longer. */
@@ -69,21 +75,21 @@ export class Stage {
     /** Compiles what materials need before they are first drawn, so that no frame waits for it. */
     warmUp(materials) {
         const group = new THREE.Group();
-        for (const material of Object.values(materials)) group.add(new THREE.Mesh(new THREE.BufferGeometry(), material));
+        for (const material of Object.values(materials)) {
+            const mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
+            mesh.receiveShadow = true;
+            group.add(mesh);
+        }
+        for (const { points } of this.views) group.add(new THREE.Points(points.geometry, points.material));
         this.renderer.compile(group, this.camera, this.scene);
     }
 
     render(dt) {
-        this.sinceShot += dt;
-        const left = 1 - this.sinceShot / kFlashSeconds;
-        this.ball.visible = left > 0;
-        this.trace.visible = left > 0.5;
-        this.trace.material.opacity = 2 * left - 1;
-        this.flash.intensity = left > 0 ? 18 * left * left : 0;
-        if (left > 0) {
-            this.ball.scale.setScalar(0.15 + 0.9 * (1 - left));
-            this.ball.material.opacity = 0.75 * left * left;
-        }
+        this.blast.step(dt);
+        this.dust.step(dt);
+        this.glow.step(dt);
+        const height = this.renderer.domElement.height;
+        for (const view of this.views) view.update(height, this.camera);
         this.renderer.render(this.scene, this.camera);
     }
 }

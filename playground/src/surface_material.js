@@ -4,7 +4,8 @@
 // that no seam shows between them. What each kind is: painter.js, kKinds.
 import * as THREE from 'three';
 import { makeDetailTexture } from './detail_texture.js';
-import { kFirstClear } from './painter.js';
+import { kFirstClear, kKinds } from './painter.js';
+import { kInsides } from './inside_patterns.js';
 import { kPicture } from './region_meshes.js';
 
 const kVertexHead = `
@@ -20,7 +21,11 @@ varying vec2 vLaid;
 `;
 
 const kVertexBody = `
+#ifdef OF_BODY
+vPlace = position; // in its own frame: what is seen on it goes with it
+#else
 vPlace = (modelMatrix * vec4(position, 1.0)).xyz; // regions are moved, not turned
+#endif
 vFlat = normal;
 vSurface = surface;
 vBlend = blend;
@@ -34,6 +39,8 @@ if (!(${keeps})) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 `;
 const kKind = 'floor(surface.a * 255.0 + 0.5)';
 
+/** A number between this kind and the next one, as the shader compares it. */
+const above = (kind) => `${kKinds[kind]}.5`;
 
 const kFragmentHead = `
 varying vec3 vPlace;
@@ -43,6 +50,7 @@ varying vec4 vBlend;
 varying vec4 vTangent;
 varying vec2 vLaid;
 uniform sampler2D detail;
+uniform mat3 normalMatrix;
 
 float hashAt(vec3 p) {
     p = fract(p * 0.3183099 + vec3(0.71, 0.113, 0.419));
@@ -99,39 +107,42 @@ float grain(vec3 place, vec3 flatNormal, float kind, float fine) {
     if (kind < 1.5) return (0.92 + 0.07 * fine + 0.06 * broad) * mix(1.0, joints(place, flatNormal), vBlend.w);
     if (kind < 2.5) return 0.66 + 0.4 * fine + 0.2 * broad;
     if (kind < 3.5) return 0.74 + 0.22 * fine + 0.24 * noiseAt(place * 0.35);
-    if (kind > 5.5) return 0.9 + 0.2 * broad;
+    if (kind > ${above('glass')}) return 0.9 + 0.2 * broad;
     return 1.0;
 }
 
 float roughness(float kind) {
-    return kind < 0.5 ? 0.1 : kind < 1.5 ? 0.15 : kind < 2.5 ? 0.8 : kind < 3.5 ? 0.4 : 0.0;
+    return kind < 0.5 ? 0.1 : kind < 1.5 ? 0.15 : kind < 2.5 ? 0.8 : kind < 3.5 ? 0.4 : kind < 4.5 ? 0.0 :
+        kind < ${above('brick')} ? 0.55 : kind < ${above('concrete')} ? 0.6 : kind < ${above('wood')} ? 0.4 : kind < ${above('steel')} ? 0.25 : 0.0;
 }
-`;
+` + kInsides;
 
 const kFragmentColour = `
 float kind = floor(vSurface.a * 255.0 + 0.5);
 vec3 paint = vSurface.rgb;
 diffuseColor.rgb *= paint * paint * (0.305306 * paint + 0.682171) + 0.012523 * paint; // sRGB to linear, nearly
 Detail detailHere = detailAt(vPlace, vFlat);
-diffuseColor.rgb *= grain(vPlace, vFlat, kind, detailHere.bright);
+diffuseColor.rgb *= kind > ${above('sky')} && kind < ${above('steel')} ? inside(vPlace, kind, detailHere.bright) :
+    vec3(grain(vPlace, vFlat, kind, detailHere.bright));
 `;
 
 const kFragmentNormal = `
 #include <normal_fragment_maps>
-normal = normalize(normal + roughness(kind) * (viewMatrix * vec4(detailHere.lean, 0.0)).xyz);
+normal = normalize(normal + roughness(kind) * (normalMatrix * detailHere.lean));
 `;
 
 // The sky shines by itself; glass lets through more than water.
 const kFragmentSky = `
-if (kind > 4.5) diffuseColor.a *= kind > 5.5 ? 0.72 : 0.22;
+if (kind > ${above('steel')}) diffuseColor.a *= kind > ${above('glass')} ? 0.72 : 0.22;
 if (kind > 3.5 && kind < 4.5) outgoingLight = diffuseColor.rgb * (0.75 + 0.25 * smoothstep(0.0, 9.0, vPlace.z));
 #include <opaque_fragment>
 `;
 
 /** @param keeps  of the kinds, which are drawn: a condition of the shading language */
-function makeMaterial(keeps, detail, options) {
+function makeMaterial(keeps, detail, { ofBody, ...options }) {
     const material = new THREE.MeshLambertMaterial(options);
-    material.customProgramCacheKey = () => keeps;
+    if (ofBody) material.defines = { OF_BODY: 1 };
+    material.customProgramCacheKey = () => `${keeps} ${Boolean(ofBody)}`;
     material.onBeforeCompile = (shader) => {
         shader.uniforms.detail = { value: detail };
         shader.vertexShader = (kVertexHead + shader.vertexShader).replace('#include <begin_vertex>',
@@ -146,17 +157,27 @@ function makeMaterial(keeps, detail, options) {
 
 /**
  * `solid` for what hides all behind it, `clear` for glass and water, which are seen from both sides.
- * @param fades  of what has an opacity: pixels of the solid go one by one, so that it needs no sorting
+ * @param options  `ofBody`: of what moves and turns
  */
-function makePair(detail, fades) {
+function makePair(detail, options) {
     return {
-        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, fades ? { alphaHash: true } : {}),
-        clear: makeMaterial(`${kKind} >= ${kFirstClear}.0`, detail, { transparent: true, depthWrite: false, side: THREE.DoubleSide }),
+        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, options),
+        clear: makeMaterial(`${kKind} >= ${kFirstClear}.0`, detail, { ...options, transparent: true, depthWrite: false, side: THREE.DoubleSide }),
     };
 }
 
-/** The materials of the level, and a function that makes a pair for what fades by itself. */
+/** Of shadows: what the sky, glass and water throw is none. */
+function makeShadowMaterial() {
+    const material = new THREE.MeshDepthMaterial({ depthPacking: THREE.RGBADepthPacking });
+    material.onBeforeCompile = (shader) => {
+        shader.vertexShader = ('attribute vec4 surface;\n' + shader.vertexShader).replace('#include <project_vertex>',
+            '#include <project_vertex>\n' + kVertexEnd(`${kKind} < ${kFirstClear}.0 && ${kKind} != ${kKinds.sky}.0`));
+    };
+    return material;
+}
+
+/** The materials of the level, those of what moves, and that of their shadows. */
 export function makeSurfaceMaterials() {
     const detail = makeDetailTexture();
-    return { ...makePair(detail, false), makeFading: () => makePair(detail, true) };
+    return { level: makePair(detail, {}), bodies: makePair(detail, { ofBody: true }), shadow: makeShadowMaterial() };
 }

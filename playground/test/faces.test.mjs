@@ -40,7 +40,7 @@ function regionOf(place, ids) {
 const painter = { paint: (face, x, y, z, out) => out.set([face.sourceEdit, x, z % 256, face.source % 5]) };
 
 test('regions are put in, replaced and taken out, and no other is touched', () => {
-    const meshes = new RegionMeshes(undefined, painter);
+    const meshes = new RegionMeshes({}, painter);
     meshes.replace([regionOf([0, 0, 0], [1, 2, 3]), regionOf([1, 0, -1], [4])]);
     assert.deepEqual([meshes.faceCount, meshes.triangles, meshes.group.children.length, meshes.sent], [4, 8, 2, 16]);
     const other = meshes.regions.get('0,0,0').geometry;
@@ -64,7 +64,7 @@ test('regions are put in, replaced and taken out, and no other is touched', () =
 
 test('what one sees through is drawn once more, from the same buffers', () => {
     const glass = { paint: (face, x, y, z, out) => out.set([1, 1, 1, face.source === 2 ? kKinds.glass : kKinds.rock]) };
-    const meshes = new RegionMeshes(undefined, glass, undefined);
+    const meshes = new RegionMeshes({}, glass);
     meshes.replace([regionOf([0, 0, 0], [1, 2])]);
     const { group, geometry } = meshes.regions.get('0,0,0');
     assert.deepEqual(group.children.map((mesh) => mesh.geometry), [geometry, geometry]);

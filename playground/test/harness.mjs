@@ -53,9 +53,9 @@ export async function open() {
     };
 }
 
-/** A page of the playground, loaded, its time stopped. */
-export async function load(session, query = '', viewport = { width: 1120, height: 630 }) {
-    const page = await session.browser.newPage({ viewport });
+/** A page of the playground, loaded, its time stopped. @param device  of a phone: hasTouch, isMobile, ... */
+export async function load(session, query = '', viewport = { width: 1120, height: 630 }, device = {}) {
+    const page = await session.browser.newPage({ viewport, ...device });
     page.setDefaultTimeout(kTimeout);
     const errors = [];
     page.on('pageerror', (error) => errors.push(String(error)));

@@ -1,52 +1,51 @@
 // SPDX-License-Identifier: MIT
-// The scenes that the page plays by itself, and what is drawn of pieces that came loose, without a browser.
+// The scenes that the page plays by itself, and rubble as bodies, without a browser.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import path from 'node:path';
 import test from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { countChunks } from '../src/chunk_counts.js';
+import { Debris } from '../src/debris.js';
 import { describeSet, describeShot } from '../src/hud.js';
 import { Launcher } from '../src/launcher.js';
-import { countChunks, LooseChunks } from '../src/loose_chunks.js';
-import { Painter } from '../src/painter.js';
 import { Probe } from '../src/probe.js';
 import { areaOf, Rooms } from '../src/rooms.js';
 import { SetShots } from '../src/set_shots.js';
+import { subtract } from '../src/vector.js';
+import { firma, makeWorld } from './engine.mjs';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const index = process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js');
-const { loadFirma } = await import(pathToFileURL(index));
-const { loadReaders } = await import(pathToFileURL(path.join(path.dirname(index), 'readers.js')));
-const firma = await loadFirma(process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm'));
-const readers = await loadReaders(firma);
-
-/** A level with a launcher, whose loose pieces are kept. */
-function begin(name, readWorld) {
-    const read = readWorld(readFileSync(path.join(root, 'levels', name), 'utf8'));
-    const world = read.withAnchors();
-    read.release();
-    const disposed = [];
-    const materials = () => Object.fromEntries(['solid', 'clear'].map((kind) => [kind, { opacity: 1, dispose: () => disposed.push(kind) }]));
+/** A level with a launcher, whose loose pieces become bodies. */
+function begin(name) {
+    const world = makeWorld(name);
     const rooms = new Rooms(world);
-    const launcher = new Launcher(firma, world, new Probe(world), (before, after) => {
-        rooms.learn(after);
-        painter.learn(after.facts().materials);
-    }, (given) => loose.add(given));
-    const painter = new Painter(launcher.materials, (edit, point) => launcher.depth(edit, point));
-    const loose = new LooseChunks(materials, painter);
-    return { launcher, rooms, loose, disposed, sets: new SetShots(launcher, rooms, name) };
+    const told = { added: 0, removed: 0 };
+    const launcher = new Launcher(firma, world, new Probe(world), (before, after) => rooms.learn(after),
+        (loose) => debris.add(loose, launcher.world.facts().version),
+        (cutter, pose) => debris.blast(pose.position, pose.scale, cutter, pose, (from, to) => !launcher.world.castAny({ centre: from, radius: 0, path: subtract(to, from) })));
+    const debris = new Debris(firma, launcher.matters, ({ added, removed }) => {
+        told.added += added.length;
+        told.removed += removed.length;
+    });
+    return { launcher, rooms, debris, told, sets: new SetShots(launcher, rooms, name) };
 }
 
-const first = () => begin('first.obj', (text) => readers.worldFromObj(text, { name: 'first.obj' }));
-
-function end({ launcher }) {
+function end({ launcher, debris }) {
+    debris.release();
     launcher.world.release();
     launcher.store.release();
 }
 
-test('the bridge: a shot a step, then its piece, where it was, until it has faded', () => {
-    const scene = first();
-    const { sets, launcher, loose, disposed } = scene;
+/** No sphere's worth of a body is in rock: its middle is in air, and none has left the level. */
+function assertClear({ launcher, debris }) {
+    const { low, high } = launcher.world.facts();
+    for (const { id, at } of debris.pieces.values()) {
+        assert.ok(at.every((x, axis) => x >= low[axis] && x <= high[axis]), `out of the level at ${at}`);
+        assert.equal(debris.bodies.get(id).stuck, false, `stuck at ${at}`);
+    }
+}
+
+test('the bridge: a shot a step, then its piece falls, breaks, comes to rest on the floor', () => {
+    const before = firma.liveHandles();
+    const scene = begin('first.obj');
+    const { sets, launcher, debris, told: changes } = scene;
     assert.equal(sets.start('no such'), null);
     assert.equal(new SetShots(launcher, scene.rooms, 'other.map').start('bridge'), null);
     const stand = sets.start('bridge');
@@ -54,7 +53,7 @@ test('the bridge: a shot a step, then its piece, where it was, until it has fade
     assert.match(describeSet(sets.told), /^the bridge: 0 of 2 shots: shooting$/);
     assert.equal(sets.step(0.2), null);
     assert.deepEqual(sets.step(100).position, [22, 29, 4.75]);
-    assert.deepEqual([sets.told.shots, sets.told.after, loose.triangles], [1, null, 0]);
+    assert.deepEqual([sets.told.shots, sets.told.after, debris.pieces.size], [1, null, 0]);
     assert.equal(launcher.last.chunks.count, 0);
     const shot = sets.step(100);
     assert.deepEqual([shot.position, shot.status, shot.chunks.count], [[42, 29, 4.75], 'done', 1]);
@@ -65,51 +64,45 @@ test('the bridge: a shot a step, then its piece, where it was, until it has fade
     assert.match(describeShot({ ...launcher.last, portals: [] }), /; 1 chunk of 29\.43 m\u00b3, 70,638 kg came loose$/);
     assert.equal(launcher.last.report.loose, null);
 
-    // Its surface as it is drawn encloses what it has of volume, and its middle is where the bridge was.
-    let volume = 0;
-    const middle = [0, 0, 0];
-    for (const { geometry, group } of loose.fading[0].meshes.regions.values()) {
-        const at = geometry.attributes.position.array;
-        const corner = (v) => [0, 1, 2].map((axis) => at[3 * v + axis] + group.position.toArray()[axis] - [32, 29, 4.75][axis]);
-        const { array } = geometry.index;
-        for (let k = 0; k < array.length; k += 3) {
-            const [p, q, r] = [0, 1, 2].map((c) => corner(array[k + c]));
-            const six = p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
-            volume += six / 6;
-            for (let axis = 0; axis < 3; ++axis) middle[axis] += (six / 24) * (p[axis] + q[axis] + r[axis]);
-        }
+    const mass = () => [...debris.pieces.values()].reduce((sum, piece) => sum + piece.mass, 0);
+    const [whole] = debris.pieces.values();
+    assert.ok(Math.abs(mass() - 70638) < 0.5 && Math.abs(whole.at[2] - 4.75) < 0.3, `${mass()} kg at ${whole.at}`);
+    const hits = [];
+    let seconds = 0;
+    for (; seconds < 20 && (debris.moving || seconds < 0.5); seconds += 1 / 30) {
+        hits.push(...debris.step({ world: launcher.world }, 1 / 30));
+        assertClear(scene);
     }
-    assert.ok(Math.abs(volume - sets.told.volume) < 1e-3, `${volume}`);
-    assert.ok(middle.every((x) => Math.abs(x / volume) < 0.3), `${middle.map((x) => x / volume)}`);
+    assert.ok(!debris.moving, 'at rest');
+    assert.ok(hits.some(({ speed }) => speed > 5), 'it came down hard');
+    assert.ok(debris.pieces.size >= 2 && debris.pieces.size <= 16, `${debris.pieces.size} pieces`);
+    assert.deepEqual([changes.added - changes.removed, changes.removed > 0], [debris.pieces.size, true]);
+    assert.ok(mass() < 70638 && mass() > 0.98 * 70638, `${mass()} kg are left`); // the cracks themselves
+    for (const { at, size } of debris.pieces.values()) assert.ok(at[2] < Math.max(1, size), `${at}`);
 
-    const opacity = () => loose.fading[0].materials.solid.opacity;
-    loose.step(0.5);
-    const early = opacity();
-    loose.step(1.5);
-    assert.ok(early < 1 && early > 0.8 && opacity() < early && opacity() > 0, `${early} ${opacity()}`);
-    const [{ meshes }] = loose.fading;
-    loose.step(1.5);
-    assert.deepEqual([loose.fading.length, loose.triangles, loose.group.children.length, meshes.regions.size, disposed.length], [0, 0, 0, 0, 2]);
+    // What lies there is cut and thrown by the next blast.
+    const [largest] = [...debris.pieces.values()].sort((a, b) => b.mass - a.mass);
+    const pieces = debris.pieces.size;
+    launcher.shootAt({ position: [largest.at[0], largest.at[1], largest.at[2] + 0.3], scale: 1.2, seed: 5 });
+    assert.ok(!debris.pieces.has(largest.id) && debris.pieces.size >= pieces, 'cut');
+    assert.ok(debris.moving);
 
-    // Undone, shot again, cleared at once; what a stopped scene has left is never shot.
-    assert.ok(launcher.undo());
-    launcher.shootAt({ position: [42, 29, 4.75], scale: 3, seed: 1 });
-    assert.ok(loose.triangles > 0);
-    loose.clear();
-    assert.deepEqual([loose.triangles, disposed.length], [0, 4]);
+    // Undone, it is part of the level again; a snapshot of nothing is left.
+    launcher.undo();
+    debris.undo(launcher.world.facts().version);
+    assert.ok(debris.pieces.size >= pieces, 'the shot that was undone cut nothing loose');
+    launcher.undo();
+    debris.undo(launcher.world.facts().version);
+    assert.equal(debris.pieces.size, 0);
     sets.start('bridge');
     sets.stop();
     assert.deepEqual([sets.step(100), sets.told], [null, null]);
     end(scene);
+    assert.equal(firma.liveHandles(), before);
 });
 
 test('the wall: the portal and the cast through it are told; a wall within one room has none', () => {
-    const depot = begin('depot.map', (text) => {
-        const level = readers.levelFromMap(text, { name: 'depot.map' });
-        const world = level.world();
-        level.release();
-        return world;
-    });
+    const depot = begin('depot.map');
     depot.sets.start('wall');
     const shot = depot.sets.step(1);
     const { told } = depot.sets;
@@ -122,7 +115,7 @@ test('the wall: the portal and the cast through it are told; a wall within one r
     assert.ok(areaOf(polygons) > 0.3 && areaOf(polygons) < 1.2);
     end(depot);
 
-    const scene = first();
+    const scene = begin('first.obj');
     scene.sets.start('wall');
     scene.sets.step(1);
     assert.match(describeSet(scene.sets.told), /^the thin wall: one room on both sides, so no portal; a cast met wall in room 0 after 2\.95 m before, meets wall in room 0 after 11\.00 m now$/);

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Somebody walks through our level, by node alone: never into a wall, not even with craters all over.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import path from 'node:path';
 import test from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Launcher } from '../src/launcher.js';
 import { kCentres, kRadius, Player } from '../src/player.js';
 import { Probe } from '../src/probe.js';
 import { Rooms } from '../src/rooms.js';
 import { findSpawn, startOf } from '../src/spawn.js';
 import { direction } from '../src/vector.js';
+import { firma, readers, readLevel } from './engine.mjs';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const index = process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js');
-const { loadFirma } = await import(pathToFileURL(index));
-const { loadReaders } = await import(pathToFileURL(path.join(path.dirname(index), 'readers.js')));
-const firma = await loadFirma(process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm'));
-const readers = await loadReaders(firma);
-const level = readFileSync(path.join(root, 'levels/first.obj'));
+const level = readLevel('first.obj');
 
 let seed = 7;
 const chance = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
@@ -26,7 +18,7 @@ const chance = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
 function begin(text = level, name = 'first.obj') {
     const world = readers.worldFromObj(text, { name });
     const probe = new Probe(world);
-    const player = new Player(probe);
+    const player = new Player(firma, probe);
     const launcher = new Launcher(firma, world, probe, () => {});
     const spawn = findSpawn(player, world, name);
     player.place(spawn.feet);
@@ -176,21 +168,22 @@ test('no handle is left behind', () => {
     for (let k = 0; k < 6; ++k) game.launcher.fire(game.player.eye(), direction(k, 0));
     while (game.launcher.undo());
     game.launcher.redo();
-    assert.equal(firma.liveHandles(), before + 2); // the store, and the world of the moment
+    assert.equal(firma.liveHandles(), before + 3); // the player's shape, the store, and the world of the moment
+    game.player.release();
     game.launcher.world.release();
     game.launcher.store.release();
     assert.equal(firma.liveHandles(), before);
 });
 
 test('the depot: begins where its author says, rooms on the way, through a closed portal nobody goes', () => {
-    const text = readFileSync(path.join(root, 'levels/depot.map'), 'utf8');
+    const text = readLevel('depot.map');
     const level = readers.levelFromMap(text, { name: 'depot.map' });
     const start = startOf(level.entities());
     assert.deepEqual(start, { point: [18.75, 7, 1], yaw: Math.PI });
     const world = level.world();
     level.release();
     const probe = new Probe(world);
-    const player = new Player(probe);
+    const player = new Player(firma, probe);
     const launcher = new Launcher(firma, world, probe, (before, after) => rooms.learn(after));
     const rooms = new Rooms(world);
     const spawn = findSpawn(player, world, 'depot.map', start);

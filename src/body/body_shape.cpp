@@ -7,6 +7,7 @@
 #include <string>
 
 #include "body/principal_axes.h"
+#include "geometry/rounding.h"
 
 namespace firma {
 namespace {
@@ -49,16 +50,22 @@ Result<BodyShape> make_body_shape(std::span<const Sphere> spheres, const MassPro
     for (std::size_t k = 0; k < spheres.size(); ++k)
         if (!is_finite(spheres[k].centre) || !is_finite(spheres[k].radius) || !(spheres[k].radius > 0))
             return invalid("sphere " + std::to_string(k) + " is not finite or has no radius");
-    if (!all_finite(mass) || !(mass.mass > 0)) return invalid("the mass is not finite or not above zero");
+        else if (std::max(max_abs(spheres[k].centre), spheres[k].radius) > kLargestNumber)
+            return invalid("sphere " + std::to_string(k) + " is too far out or too large");
+    if (!all_finite(mass) || !(mass.mass > 0) || !is_finite(1 / mass.mass))
+        return invalid("the mass is not finite or not above zero");
+    if (max_abs(mass.centre) > kLargestNumber) return invalid("the centre of mass is too far out");
     const PrincipalAxes axes = principal_axes(mass.inertia);
     // Inertia so uneven is no solid's, and would make turns too fast to follow.
-    if (!(axes.moments.z > axes.moments.x * 0x1p-30)) return invalid("the inertia is not that of a solid");
+    if (!is_finite(axes.moments) || !(axes.moments.z > axes.moments.x * 0x1p-30) || !is_finite(1 / axes.moments.z))
+        return invalid("the inertia is not that of a solid");
     auto data = std::make_shared<BodyShapeData>();
     data->mass = mass.mass;
     data->centre = mass.centre;
     data->moments = axes.moments;
     data->axes = axes.rotation;
     data->given.assign(spheres.begin(), spheres.end());
+    data->given_mass = mass;
     data->thinnest = spheres[0].radius;
     const TurnMatrix turn = matrix_of(axes.rotation);
     for (const Sphere& sphere : spheres) {

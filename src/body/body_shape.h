@@ -9,7 +9,8 @@
 namespace firma {
 
 struct BodyShapeData {
-    SphereSet given;    ///< in the frame that they were given in
+    SphereSet given;  ///< in the frame that they were given in
+    MassProperties given_mass;
     SphereSet spheres;  ///< with the centre of mass as the origin and the principal axes as axes
     double mass = 0;
     Vec3 centre, moments;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "body/arc.h"
 #include "firma/capsule.h"
+#include "moving/arc.h"
 
 namespace firma {
 namespace {
@@ -57,7 +57,7 @@ void put_safe_fraction(const World& world, const Arc& arc, const CastOptions& op
 }
 
 /// Whether a sphere around all of a set, as it turns, comes near anything.
-bool comes_near(const World& world, std::span<const Sphere> spheres, const SetMotion& motion,
+bool comes_near(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
                 const CastOptions& options) {
     double reach = 0;
     for (const Sphere& sphere : spheres) {
@@ -79,20 +79,8 @@ SetHit invalid_set_hit() {
 
 }  // namespace
 
-bool is_usable(const SetMotion& motion) {
-    for (const double number : motion.rotation)
-        if (!is_finite(number)) return false;
-    return is_finite(motion.position) && is_finite(motion.path) && length(motion.turn) <= kMaxAngle;
-}
-
-Pose pose_at(const SetMotion& motion, double fraction) {
-    Pose pose;
-    pose.position = motion.position + motion.path * fraction;
-    pose.rotation = compose(turn_by(motion.turn * fraction), normalised(motion.rotation));
-    return pose;
-}
-
-SetHit cast(const World& world, std::span<const Sphere> spheres, const SetMotion& motion, const CastOptions& options) {
+SetHit cast(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
+            const CastOptions& options) {
     if (!is_usable(motion)) return invalid_set_hit();
     for (const Sphere& sphere : spheres)
         if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !is_finite(sphere.radius)) return invalid_set_hit();

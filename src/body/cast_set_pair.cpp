@@ -2,7 +2,8 @@
 // Two moving sets of spheres against each other.
 #include <cmath>
 
-#include "body/arc.h"
+#include "firma/cast_set.h"
+#include "moving/arc.h"
 
 namespace firma {
 namespace {
@@ -55,12 +56,12 @@ private:
 /// A set on its way.
 struct MovingSet {
     std::span<const Sphere> spheres;
-    const SetMotion& motion;
+    const RigidMotion& motion;
     TurnRate rate{motion.turn};
     TurnMatrix rotation = matrix_of(normalised(motion.rotation));
     double reach = 0;  ///< of all of it, from its origin
 
-    MovingSet(std::span<const Sphere> all, const SetMotion& moves) : spheres(all), motion(moves) {
+    MovingSet(std::span<const Sphere> all, const RigidMotion& moves) : spheres(all), motion(moves) {
         for (const Sphere& sphere : spheres) {
             const double far = length(sphere.centre) + sphere.radius;
             reach = far > reach ? far : reach;
@@ -81,8 +82,8 @@ private:
 
 }  // namespace
 
-SetPairHit cast(std::span<const Sphere> spheres_a, const SetMotion& motion_a, std::span<const Sphere> spheres_b,
-                const SetMotion& motion_b) {
+SetPairHit cast(std::span<const Sphere> spheres_a, const RigidMotion& motion_a, std::span<const Sphere> spheres_b,
+                const RigidMotion& motion_b) {
     const MovingSet a(spheres_a, motion_a), b(spheres_b, motion_b);
     SetPairHit first;
     if (!a.is_usable() || !b.is_usable()) {

@@ -39,11 +39,12 @@ auto key_of(const BodyContact& contact) {
 }  // namespace
 
 ContactSolver::ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
-                             std::span<const BodyContact> kept, double substep, int iterations)
+                             std::span<const BodyContact> kept, const StepParts& parts, double substep, int iterations)
     : movers_(movers),
       island_(island),
       contacts_(contacts),
       rows_(contacts.size()),
+      parts_(parts),
       seconds_(substep),
       iterations_(iterations) {
     for (std::size_t k = 0; k < rows_.size(); ++k) prepare(rows_[k], contacts_[k]);
@@ -53,6 +54,7 @@ ContactSolver::ContactSolver(std::span<Mover> movers, std::span<Mover> island, s
 void ContactSolver::prepare(Row& row, const NearContact& contact) {
     const Vec3 n = contact.at.normal;
     row.normal = n;
+    on_parts_ = on_parts_ || contact.at.part != kNoPart;
     // Any direction across: from the axis that the normal is least along.
     const Vec3 size{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
     const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3{1, 0, 0}
@@ -93,7 +95,8 @@ void ContactSolver::start_warm(std::span<const BodyContact> kept) {
         const BodyContact* best = nullptr;
         double alike = kAlike;
         for (; found != kept.end() && key_of(*found) == key_of(now); ++found)
-            if (const double cosine = dot(found->normal, now.normal); cosine > alike) best = &*found, alike = cosine;
+            if (const double cosine = dot(found->normal, now.normal); cosine > alike && found->part == now.part)
+                best = &*found, alike = cosine;
         if (!best) continue;
         Row& row = rows_[k];
         row.impulse = best->force * seconds_;
@@ -106,7 +109,7 @@ void ContactSolver::start_warm(std::span<const BodyContact> kept) {
 
 Vec3 ContactSolver::speed_at(const Row& row, const NearContact& contact) const {
     const Vec3 of_a = movers_[contact.a].velocity_at(row.from_a);
-    return contact.b == kFixed ? of_a : of_a - movers_[contact.b].velocity_at(row.from_b);
+    return contact.b == kFixed ? of_a - row.surface : of_a - movers_[contact.b].velocity_at(row.from_b);
 }
 
 void ContactSolver::push(const Row& row, const NearContact& contact, const Vec3& impulse) {
@@ -114,10 +117,15 @@ void ContactSolver::push(const Row& row, const NearContact& contact, const Vec3&
     if (contact.b != kFixed) movers_[contact.b].push(-impulse, row.from_b);
 }
 
-double ContactSolver::gap_now(const NearContact& contact) const {
+double ContactSolver::gap_now(const Row& row, const NearContact& contact) const {
     Vec3 moved = movers_[contact.a].centre_of(contact.at.sphere) - contact.centre_a;
     if (contact.b != kFixed) moved = moved - (movers_[contact.b].centre_of(contact.at.other_sphere) - contact.centre_b);
-    return contact.gap + dot(moved, contact.at.normal);
+    return contact.gap + dot(moved, contact.at.normal) - row.surface_moved;
+}
+
+/// While impulses are sought nothing moves.
+void ContactSolver::put_gaps() {
+    for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].gap = gap_now(rows_[k], contacts_[k]);
 }
 
 void ContactSolver::solve(bool soft) {
@@ -125,7 +133,7 @@ void ContactSolver::solve(bool soft) {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const NearContact& contact = contacts_[k];
-        const double gap = gap_now(contact);
+        const double gap = row.gap;
         double bias = 0, mass_scale = 1, impulse_scale = 0;
         if (gap > 0) {
             bias = gap / seconds_;
@@ -167,7 +175,7 @@ void ContactSolver::solve(bool soft) {
 /// A torque against turning relative to each other, about any axis, of no more than a lever times the normal impulse.
 void ContactSolver::resist_rolling(Row& row, const NearContact& contact) {
     Mover& a = movers_[contact.a];
-    const Vec3 turning = contact.b == kFixed ? a.spin : a.spin - movers_[contact.b].spin;
+    const Vec3 turning = contact.b == kFixed ? a.spin - row.surface_spin : a.spin - movers_[contact.b].spin;
     const double speed = length(turning);
     if (!(speed > 0)) return;
     const Vec3 axis = turning * (1 / speed);
@@ -198,7 +206,23 @@ void ContactSolver::move() {
     }
 }
 
+/// How the parts' surfaces move in this substep, where they are met now: along the chord, so that what is carried round
+/// stays as far from the axis as it was.
+void ContactSolver::put_surfaces() {
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const NearContact& contact = contacts_[k];
+        if (contact.at.part == kNoPart) continue;
+        const StepPart& part = parts_[contact.at.part];
+        Row& row = rows_[k];
+        const Vec3 point = movers_[contact.a].position + row.from_a;
+        const Vec3 at_start = part.velocity_of(point, substeps_done_ * seconds_);
+        row.surface = at_start + cross(part.spin, at_start - part.velocity) * (0.5 * seconds_);
+        row.surface_spin = part.spin;
+    }
+}
+
 void ContactSolver::substep() {
+    if (on_parts_) put_surfaces();
     for (std::size_t k = 0; k < rows_.size(); ++k)
         if (turns_far(contacts_[k].a) || (contacts_[k].b != kFixed && turns_far(contacts_[k].b)))
             put_masses(rows_[k], contacts_[k]);
@@ -208,13 +232,18 @@ void ContactSolver::substep() {
              row.normal * row.impulse + row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]);
         if (contacts_[k].rolling > 0) twist(contacts_[k], row.rolling);
     }
+    put_gaps();
     for (int k = 0; k < iterations_; ++k) solve(true);
     move();
+    ++substeps_done_;
+    if (on_parts_)
+        for (Row& row : rows_) row.surface_moved += dot(row.surface, row.normal) * seconds_;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const Vec3 speed = speed_at(row, contacts_[k]);
         row.slip += (speed - row.normal * dot(speed, row.normal)) * seconds_;
     }
+    put_gaps();
     for (int k = 0; k < iterations_; ++k) solve(false);
 }
 
@@ -248,6 +277,10 @@ void ContactSolver::keep_forces() {
         at.friction = (row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]) * rate;
         at.rolling = row.rolling * rate;
         at.slip = row.impulse > 0 ? row.slip : Vec3{};
+        if (at.part == kNoPart || row.surface_spin == Vec3{}) continue;
+        // They are those of the part's surface, which has turned on.
+        const TurnMatrix turn = matrix_of(turn_by(parts_[at.part].motion.turn));
+        for (Vec3* across : {&at.friction, &at.slip, &at.rolling}) *across = turn * *across;
     }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "body/mover.h"
+#include "body/step_parts.h"
 
 namespace firma {
 
@@ -17,9 +18,10 @@ public:
     /// @param movers    all of the step's
     /// @param contacts  between `island` and what does not move
     /// @param kept        the contacts of the step before, in order: what they pressed with
+    /// @param parts       that contacts name
     /// @param iterations  of a substep: how often it goes through all contacts
     ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
-                  std::span<const BodyContact> kept, double substep, int iterations);
+                  std::span<const BodyContact> kept, const StepParts& parts, double substep, int iterations);
 
     /// One substep of `substep` seconds; forces have been added to velocities.
     void substep();
@@ -38,6 +40,9 @@ private:
         double normal_mass = 0, across_mass[2] = {};
         double impulse = 0, across_impulse[2] = {};
         Vec3 rolling, slip;
+        Vec3 surface, surface_spin;  ///< of the part that it lies on, in this substep
+        double surface_moved = 0;    ///< along the normal since the step began
+        double gap = 0;              ///< as bodies lie now
         double max_normal = 0;
         double approach = 0;  ///< along the normal, before it first pressed
     };
@@ -52,11 +57,16 @@ private:
     void twist(const NearContact& contact, const Vec3& impulse);
     void solve(bool soft);
     void move();
-    double gap_now(const NearContact& contact) const;
+    void put_surfaces();
+    void put_gaps();
+    double gap_now(const Row& row, const NearContact& contact) const;
 
     std::span<Mover> movers_, island_;
     std::span<NearContact> contacts_;
     std::vector<Row> rows_;
+    const StepParts& parts_;
+    bool on_parts_ = false;
+    int substeps_done_ = 0;
     const double seconds_;
     const int iterations_;
 };

@@ -21,7 +21,12 @@ struct Piece {
     SurfaceTriangle corners;
     std::uint32_t of;
     friend bool operator<(const Piece& a, const Piece& b) {
-        return a.bound != b.bound ? a.bound < b.bound : a.of > b.of;
+        if (a.bound != b.bound) return a.bound < b.bound;
+        if (a.of != b.of) return a.of > b.of;
+        // Halves may be as far as each other: whatever a queue is made of, it is the same one that is next.
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!(a.corners[k] == b.corners[k])) return comes_before(a.corners[k], b.corners[k]);
+        return false;
     }
 };
 

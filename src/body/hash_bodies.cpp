@@ -29,7 +29,7 @@ void add_body_to(Hasher& hash, const Body& body) {
     for (const double number : {body.friction, body.restitution, body.rolling, body.still_for}) hash.add(number);
     hash.add(body.mask);
     hash.add(body.island);
-    hash.add(int(body.asleep) + 2 * int(body.stuck));
+    hash.add(int(body.asleep) + 2 * int(body.stuck) + 4 * int(body.crushed));
 }
 
 }  // namespace
@@ -42,13 +42,15 @@ std::uint64_t hash_bodies(const Bodies& bodies) {
         hash.add(contact.body, contact.other);
         hash.add(contact.sphere, contact.other_sphere);
         hash.add(contact.face.id.value, contact.portal.value);
+        if (contact.part != kNoPart) hash.add(contact.part);
         for (const Vec3& v : {contact.point, contact.normal, contact.friction, contact.slip, contact.rolling})
             add_vector(hash, v);
         hash.add(contact.force);
     }
     hash.add(bodies.steps);
-    hash.add(bodies.world_version);
+    hash.add(bodies.world_hash);
     hash.add(bodies.islands);
+    for (const std::uint64_t part : bodies.part_hashes) hash.add(part);
     return hash.value();
 }
 

@@ -32,12 +32,23 @@ struct Mover {
     InverseInertia inverse_inertia;
     /// Metres: as far as any point may go before a sphere can be deeper in the world than the skin.
     double clear = 0;
+    /// Metres: the same of parts, by how far both go together.
+    double part_clear = 0;
 
     Vec3 centre_of(std::uint32_t sphere) const { return position + matrix * shape->spheres[sphere].centre; }
     Vec3 velocity_at(const Vec3& from_centre) const { return velocity + cross(spin, from_centre); }
     void push(const Vec3& impulse, const Vec3& from_centre) {
         velocity += impulse * inverse_mass;
         spin += inverse_inertia * cross(from_centre, impulse);
+    }
+    /// Elsewhere than it has come to. Its spin is as before seen from the body: so is its energy, however different its
+    /// moments are.
+    void put_at(const Vec3& where, const Quaternion& turned) {
+        const Vec3 seen{dot(matrix.column(0), spin), dot(matrix.column(1), spin), dot(matrix.column(2), spin)};
+        position = where;
+        rotation = turned;
+        turn_inertia();
+        spin = matrix * seen;
     }
     /// Follows from the rotation.
     void turn_inertia() {

@@ -3,6 +3,7 @@
 #include "body/pair_contacts.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/sort.h"
 
@@ -33,8 +34,22 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::vector<Body
     return pairs;
 }
 
+namespace {
+
+/// The deepest remain, in no particular order.
+void keep_deepest(std::vector<NearContact>& found, std::size_t first, std::size_t count) {
+    const auto from = found.begin() + std::ptrdiff_t(first), until = from + std::ptrdiff_t(count);
+    std::nth_element(from, until, found.end(), [](const NearContact& a, const NearContact& b) {
+        return std::tuple(a.gap, a.at.sphere, a.at.other_sphere) < std::tuple(b.gap, b.at.sphere, b.at.other_sphere);
+    });
+    found.erase(until, found.end());
+}
+
+}  // namespace
+
 void find_pair_contacts(const PlacedBody& a, const PlacedBody& b, double margin, std::vector<NearContact>& found) {
     const SphereSet &of_a = a.shape->spheres, &of_b = b.shape->spheres;
+    const std::size_t before = found.size();
     for (std::uint32_t i = 0; i < of_a.size(); ++i) {
         const Vec3 one = a.centre_of(i);
         const double reach_to_b = of_a[i].radius + b.shape->reach + margin;
@@ -63,7 +78,9 @@ void find_pair_contacts(const PlacedBody& a, const PlacedBody& b, double margin,
             contact.at.point = contact.centre_b + contact.at.normal * (of_b[j].radius + contact.gap * 0.5);
             found.push_back(contact);
         }
+        if (found.size() - before > 2 * kMaxPairContacts) keep_deepest(found, before, kMaxPairContacts);
     }
+    if (found.size() - before > kMaxPairContacts) keep_deepest(found, before, kMaxPairContacts);
 }
 
 }  // namespace firma

@@ -34,7 +34,10 @@ struct PlacedBody {
     Vec3 centre_of(std::uint32_t sphere) const { return position + matrix * shape->spheres[sphere].centre; }
 };
 
-/// Adds the pairs of spheres within `margin` of each other.
+/// Of two bodies: all of those of up to 64 spheres each.
+inline constexpr std::size_t kMaxPairContacts = 4096;
+
+/// Adds the pairs of spheres within `margin` of each other; of more than kMaxPairContacts the deepest.
 /// @param a  a mover
 void find_pair_contacts(const PlacedBody& a, const PlacedBody& b, double margin, std::vector<NearContact>& found);
 

@@ -11,7 +11,8 @@
 
 namespace firma {
 
-void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepOptions& options) {
+void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepParts& parts,
+          const StepOptions& options) {
     const auto moves = [&](std::uint32_t slot) { return movers[slot] != kFixed; };
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& body = bodies.slots[slot];
@@ -25,6 +26,7 @@ void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds,
         if (contact.other != kFixed && moves(contact.body) && moves(contact.other))
             islands.join(contact.body, contact.other);
         held[contact.body] = true;
+        if (parts.is_moving(contact.part)) bodies.slots[contact.body].still_for = 0;
         if (contact.other != kFixed) held[contact.other] = true;
     }
     std::vector<bool> is_still(bodies.slots.size(), true);
@@ -58,18 +60,42 @@ std::size_t wake_island(Bodies& bodies, std::uint32_t slot) {
     return woken;
 }
 
-std::size_t wake_unsupported(Bodies& bodies, const World& world) {
-    if (bodies.world_version == world.version()) return 0;
-    bodies.world_version = world.version();
+std::size_t wake_unsupported(Bodies& bodies, const World& world, bool other_world, const StepParts& parts) {
     std::size_t woken = 0;
     const Cells& cells = world.data().cells;
     const auto is_there = [&](const BodyContact& contact) {
+        if (contact.part != kNoPart) return contact.part < parts.size() && !parts[contact.part].changed;
+        if (!other_world) return true;
         if (contact.portal.valid())
             return contact.portal.value < cells.portal_count() && cells.is_closed(contact.portal.value);
         return !contact.face.valid() || world.face_info(contact.face).has_value();
     };
     for (const BodyContact& contact : bodies.contacts)
         if (bodies.slots[contact.body].asleep && !is_there(contact)) woken += wake_island(bodies, contact.body);
+    return woken;
+}
+
+std::size_t wake_in_the_way(Bodies& bodies, const StepParts& parts, double skin) {
+    std::size_t woken = 0;
+    std::vector<Sphere> spheres;
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        const Body& body = bodies.slots[slot];
+        if (!body.shape.valid() || !body.asleep) continue;
+        const auto comes = [&](const StepPart& part) {
+            return part.moves && (part.part.mask & body.mask) &&
+                   part.may_meet(body.position, body.shape.reach() + 2 * skin);
+        };
+        bool any = false;
+        for (std::size_t k = 0; k < parts.size(); ++k) any = any || comes(parts[k]);
+        if (!any) continue;
+        spheres.clear();
+        for (const Sphere& sphere : body.shape.data().spheres)
+            spheres.push_back({sphere.centre, sphere.radius + 2 * skin});
+        CastOptions options;
+        options.mask = body.mask;
+        const RigidMotion stands{body.position, principal_rotation(body), {}, {}};
+        if (parts.cast_set(spheres, stands, 0, kNoPart, options).touched()) woken += wake_island(bodies, slot);
+    }
     return woken;
 }
 

@@ -11,55 +11,99 @@
 #include "body/mover_islands.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
+#include "body/sound_body.h"
+#include "body/step_parts.h"
 #include "body/stuck_bodies.h"
 #include "body/sweep_bodies.h"
+#include "body/turn_between.h"
 #include "body/world_contacts.h"
+#include "geometry/rounding.h"
 
 namespace firma {
 namespace {
 
-constexpr double kLongestStep = 0.25;  // seconds
+constexpr double kLongestStep = 0.25;   // seconds
+constexpr double kShortestStep = 1e-9;  // below it the rate of what a step adds may be too large a number
+constexpr int kMaxSubsteps = 10'000;    // a second
+constexpr int kMaxBounces = 1'000;
 /// Metres a second along the normal: what meets slower than this does not bounce.
 constexpr double kBounceSpeed = 0.5;
+
+/// Of two facets of one face, of which the order is that of their places.
+bool lies_before(const BodyContact& a, const BodyContact& b) {
+    const auto key = [](const BodyContact& of) {
+        return std::tuple(of.face.corner, of.point.x, of.point.y, of.point.z);
+    };
+    return key(a) < key(b);
+}
+
+bool are_usable(const StepOptions& options) {
+    const auto is_length = [](double number) { return is_finite(number) && number >= 0 && number <= kLargestNumber; };
+    return is_finite(options.gravity) && max_abs(options.gravity) <= kLargestNumber && options.substeps_a_second >= 1 &&
+           options.substeps_a_second <= kMaxSubsteps && options.max_bounces >= 0 &&
+           options.max_bounces <= kMaxBounces && is_length(options.contact_friction) &&
+           is_length(options.contact_offset);
+}
 
 /// One step of so many seconds, no longer than kLongestStep.
 class Step {
 public:
-    Step(Bodies& bodies, const World& world, double seconds, const StepOptions& options)
+    Step(Bodies& bodies, const Scene& scene, double seconds, const StepOptions& options)
         : bodies_(bodies),
-          world_(world),
+          world_(scene.world),
+          parts_(scene, seconds),
           options_(options),
           seconds_(seconds),
-          skin_(options.contact_offset > 0 ? options.contact_offset : world.tolerance().contact_offset),
-          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {}
+          skin_(options.contact_offset > 0 ? options.contact_offset : world_.tolerance().contact_offset),
+          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {
+        sound_.reserve(bodies.slots.size());
+        for (const Body& body : bodies.slots) {
+            sound_.push_back(body.shape.valid() && is_sound(body));
+            report_.unsound += body.shape.valid() && !sound_.back();
+        }
+    }
 
     StepReport run() {
-        find_stuck(bodies_, world_, bodies_.world_version != world_.version());
-        report_.woken = wake_unsupported(bodies_, world_);
+        const std::uint64_t hash = hash_world(world_);
+        const bool other_world = bodies_.world_hash != hash;
+        bodies_.world_hash = hash;
+        const bool has_parts = !parts_.empty() || !bodies_.part_hashes.empty();
+        if (has_parts) parts_.compare(bodies_.part_hashes);
+        find_stuck(bodies_, world_, other_world, parts_, sound_);
+        if (other_world || has_parts) report_.woken = wake_unsupported(bodies_, world_, other_world, parts_);
+        if (has_parts) report_.woken += wake_in_the_way(bodies_, parts_, skin_);
         free_stuck();
         gather_movers();
         find_contacts();
         solve();
+        hold_unsound();
         sweep();
+        hold_unsound();
         put_back();
-        rest(bodies_, movers_of_slots_, seconds_, options_);
+        rest(bodies_, movers_of_slots_, seconds_, parts_, options_);
         ++bodies_.steps;
         return report_;
     }
 
 private:
     void free_stuck() {
-        for (Body& body : bodies_.slots)
-            if (body.shape.valid() && body.stuck) ++report_.stuck, move_out(body, world_, seconds_);
+        for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
+            Body& body = bodies_.slots[slot];
+            if (!sound_[slot] || !body.stuck) continue;
+            ++report_.stuck;
+            move_out(body, world_, parts_, seconds_, skin_);
+            report_.crushed += body.crushed;
+        }
     }
 
-    bool moves(const Body& body) const { return body.shape.valid() && !body.asleep && !body.stuck; }
+    bool moves(std::uint32_t slot) const {
+        return sound_[slot] && !bodies_.slots[slot].asleep && !bodies_.slots[slot].stuck;
+    }
 
     void gather_movers() {
         movers_of_slots_.assign(bodies_.slots.size(), kFixed);
         for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
-            const Body& body = bodies_.slots[slot];
-            if (!moves(body)) continue;
+            if (!moves(slot)) continue;
             movers_of_slots_[slot] = std::uint32_t(movers_.size());
             movers_.push_back(make_mover(bodies_.slots[slot], slot));
         }
@@ -73,6 +117,9 @@ private:
         return std::min(speed * seconds_, 0.5 * shape.thinnest + 2 * skin_) + 2 * skin_;
     }
 
+    /// However fast it and a part go.
+    double largest_margin(const BodyShapeData& shape) const { return 0.5 * shape.thinnest + 4 * skin_; }
+
     PlacedBody placed(std::uint32_t slot) const {
         const Body& body = bodies_.slots[slot];
         return {body.position, matrix_of(principal_rotation(body)), &body.shape.data(), movers_of_slots_[slot], slot};
@@ -82,7 +129,7 @@ private:
         std::vector<BodyBall> balls;
         for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
             const Body& body = bodies_.slots[slot];
-            if (!body.shape.valid() || body.stuck) continue;
+            if (!sound_[slot] || body.stuck) continue;
             const BodyShapeData& shape = body.shape.data();
             balls.push_back({body.position, shape.reach + margin_of(body, shape), slot, body.mask, !body.asleep});
         }
@@ -105,8 +152,7 @@ private:
         }
         near_.clear();
         for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
-            const Body& body = bodies_.slots[slot];
-            if (!moves(body) || movers_of_slots_[slot] != kFixed) continue;
+            if (!moves(slot) || movers_of_slots_[slot] != kFixed) continue;
             movers_of_slots_[slot] = std::uint32_t(movers_.size());
             movers_.push_back(make_mover(bodies_.slots[slot], slot));
         }
@@ -119,7 +165,10 @@ private:
         for (std::uint32_t k = 0; k < movers_.size(); ++k) {
             const Body& body = bodies_.slots[movers_[k].slot];
             const std::size_t first = near_.size();
-            of_world.find(movers_[k], k, body, margin_of(body, *movers_[k].shape), near_);
+            const double margin = margin_of(body, *movers_[k].shape);
+            of_world.find(movers_[k], k, body, margin, near_);
+            if (!parts_.empty())
+                of_world.find_on_parts(parts_, movers_[k], k, body, margin, largest_margin(*movers_[k].shape), near_);
             for (std::size_t contact = first; contact < near_.size(); ++contact) {
                 near_[contact].friction = std::sqrt(body.friction * options_.contact_friction);
                 near_[contact].restitution = body.restitution;
@@ -141,8 +190,12 @@ private:
             }
         }
         sort_range(near_, [](const NearContact& a, const NearContact& b) {
-            return std::tuple(a.at.body, a.at.other, a.at.sphere, a.at.other_sphere, a.gap, a.at.face.id, a.at.portal) <
-                   std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap, b.at.face.id, b.at.portal);
+            const auto key = [](const NearContact& of) {
+                return std::tuple(of.at.body, of.at.other, of.at.sphere, of.at.other_sphere, of.gap, of.at.face.id,
+                                  of.at.portal, of.at.part);
+            };
+            const auto first = key(a), second = key(b);
+            return first != second ? first < second : lies_before(a.at, b.at);
         });
         report_.contacts = near_.size();
     }
@@ -158,7 +211,8 @@ private:
         const double substep = seconds_ / count;
         const std::span<Mover> movers = std::span(movers_).subspan(island.first_mover, island.movers);
         const std::span<NearContact> contacts = std::span(near_).subspan(island.first_contact, island.contacts);
-        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, substep, iterations_for(island.mass_ratio));
+        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, parts_, substep,
+                             iterations_for(island.mass_ratio));
         for (int k = 0; k < count; ++k) {
             for (Mover& mover : movers) {
                 const Body& body = bodies_.slots[mover.slot];
@@ -186,38 +240,99 @@ private:
         return times;
     }
 
+    /// Numbers so large that what came of them is none: the body stays where it was, at rest.
+    void hold_unsound() {
+        for (Mover& mover : movers_) {
+            if (is_sound(mover)) continue;
+            ++report_.unsound;
+            mover.position = mover.start;
+            mover.rotation = mover.start_rotation;
+            mover.velocity = mover.spin = {};
+            mover.turn_inertia();
+        }
+    }
+
     void sweep() {
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
-        BodySweep sweep(world_, bodies_, movers_, movers_of_slots_, rules);
+        BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, sound_, rules);
         sweep.run();
+        for (Mover& mover : movers_) slow_if_wedged(mover, sweep.met_only_level(mover.slot));
         report_.swept = sweep.swept();
         report_.bounces = sweep.bounces();
         report_.woken += sweep.woken();
+        for (const Mover& mover : movers_) {
+            Body& body = bodies_.slots[mover.slot];
+            body.crushed = sweep.is_crushed(mover.slot);
+            report_.crushed += body.crushed;
+        }
+    }
+
+    /// What bounces to and fro where it has no room comes to rest there, instead of falling on and on in its place.
+    void slow_if_wedged(Mover& mover, bool met_only_level) const {
+        constexpr double kNoWay = 1e-5;  // metres, of any point
+        if (!met_only_level) return;
+        const double turn = length(turn_between(mover.start_rotation, mover.rotation));
+        if (length(mover.position - mover.start) + turn * mover.shape->reach > kNoWay) return;
+        mover.velocity *= 0.5;
+        mover.spin *= 0.5;
+    }
+
+    bool is_pressed(std::uint32_t one, std::uint32_t other) const {
+        for (std::size_t k = 0; k < near_.size(); ++k) {
+            const BodyContact& at = near_[k].at;
+            if (pressed_[k] && std::minmax(at.body, at.other) == std::minmax(one, other)) return true;
+        }
+        return false;
+    }
+
+    /// Whether a slot's body moves, or is not there any more.
+    bool may_have_gone(std::uint32_t slot) const {
+        return movers_of_slots_[slot] != kFixed || !bodies_.slots[slot].shape.valid();
+    }
+
+    /// What lay on a body that went from under it too slowly to wake it, or was put elsewhere.
+    void wake_what_is_left_behind() {
+        std::pair<std::uint32_t, std::uint32_t> last{kFixed, kFixed};
+        for (const BodyContact& contact : bodies_.contacts) {
+            if (contact.other == kFixed || last == std::pair(contact.body, contact.other)) continue;
+            if (may_have_gone(contact.body) == may_have_gone(contact.other)) continue;
+            last = {contact.body, contact.other};
+            const bool is_upper = may_have_gone(contact.other);
+            const std::uint32_t sleeper = is_upper ? contact.body : contact.other;
+            const double up = dot(contact.normal, options_.gravity) * (is_upper ? -1 : 1);
+            if (up > 0 && bodies_.slots[sleeper].asleep && !is_pressed(contact.body, contact.other))
+                report_.woken += wake_island(bodies_, sleeper);
+        }
     }
 
     void put_back() {
         for (const Mover& mover : movers_) {
             put_back_mover(mover, bodies_.slots[mover.slot]);
         }
+        wake_what_is_left_behind();
         // Of bodies that sleep the contacts are those that they fell asleep with.
         std::erase_if(bodies_.contacts, [&](const BodyContact& contact) {
-            return movers_of_slots_[contact.body] != kFixed ||
-                   (contact.other != kFixed && movers_of_slots_[contact.other] != kFixed);
+            return may_have_gone(contact.body) || (contact.other != kFixed && may_have_gone(contact.other));
         });
         for (std::size_t k = 0; k < near_.size(); ++k)
-            if (pressed_[k]) bodies_.contacts.push_back(near_[k].at);
+            if (pressed_[k] && is_sound(near_[k].at)) bodies_.contacts.push_back(near_[k].at);
         sort_range(bodies_.contacts, [](const BodyContact& a, const BodyContact& b) {
-            return std::tuple(a.body, a.other, a.sphere, a.other_sphere, a.face.id, a.portal) <
-                   std::tuple(b.body, b.other, b.sphere, b.other_sphere, b.face.id, b.portal);
+            const auto key = [](const BodyContact& of) {
+                return std::tuple(of.body, of.other, of.sphere, of.other_sphere, of.face.id, of.portal, of.part);
+            };
+            const auto first = key(a), second = key(b);
+            return first != second ? first < second : lies_before(a, b);
         });
     }
 
     Bodies& bodies_;
     const World& world_;
+    StepParts parts_;
     const StepOptions& options_;
     const double seconds_, skin_;
     const int substeps_;
     StepReport report_;
+    std::vector<bool> sound_;  ///< of slots
     std::vector<Mover> movers_;
     std::vector<std::uint32_t> movers_of_slots_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
@@ -227,9 +342,16 @@ private:
 
 }  // namespace
 
-StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options) {
-    if (!(seconds > 0) || !is_finite(seconds) || !is_finite(options.gravity)) return {};
-    return Step(bodies, world, std::min(seconds, kLongestStep), options).run();
+StepReport step(Bodies& bodies, const Scene& scene, double seconds, const StepOptions& options) {
+    if (!is_finite(seconds) || seconds < kShortestStep || !are_usable(options) || !is_usable_scene(scene)) {
+        StepReport refused;
+        refused.valid = false;
+        return refused;
+    }
+    if (seconds <= kLongestStep) return Step(bodies, scene, seconds, options).run();
+    const double stretch = (scene.to - scene.from) * (kLongestStep / seconds);
+    const Scene shorter{scene.world, scene.parts, scene.from, scene.from + stretch};
+    return Step(bodies, shorter, kLongestStep, options).run();
 }
 
 }  // namespace firma

@@ -8,7 +8,6 @@
 #include "body/body_tolerance.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
-#include "body/touch_response.h"
 #include "body/turn_between.h"
 
 namespace firma {
@@ -16,27 +15,56 @@ namespace {
 
 /// Of the thinnest sphere of two bodies: what comes no nearer to each other in a step than this is left to contacts.
 constexpr double kSlowShare = 0.5;
+/// What has met enough may be met by parts, and what these take along, so often again.
+constexpr int kMostCarries = 8;
+/// Radians: what turns farther in what is left of a step goes so far. Arcs are divided by angle, and a spin by numbers
+/// that make no sense would take hours.
+constexpr double kMaxTurn = 64;
 
 /// As far as any point of a set may go.
-double way_of(const SetMotion& motion, double reach) {
+double way_of(const RigidMotion& motion, double reach) {
     return length(motion.path) + length(motion.turn) * reach;
 }
 
+/// Twice the energy of a spin.
+double turning_of(const Mover& mover, const Vec3& spin) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double about = dot(mover.matrix.column(axis), spin);
+        sum += mover.shape->moments[axis] * about * about;
+    }
+    return sum;
+}
+
+/// The turn that brought it where it touches is straight, as its own was not: what comes nearer by that has to do so by
+/// its spin. The energy stays.
+void turn_as_swept(Mover& mover, const Vec3& turn) {
+    const double as_swept = turning_of(mover, turn);
+    if (as_swept > 0) mover.spin = turn * std::sqrt(turning_of(mover, mover.spin) / as_swept);
+}
+
 /// Whether it may be left where it is: it moved too little to be deeper than the skin.
-bool moved_clearly(const Mover& mover, const SetMotion& motion) {
+bool moved_clearly(const Mover& mover, const RigidMotion& motion) {
     return way_of(motion, mover.shape->reach) < mover.clear;
 }
 
-SetMotion motion_of(const Mover& mover) {
+RigidMotion motion_of(const Mover& mover) {
     return {mover.start, mover.start_rotation, mover.position - mover.start,
             turn_between(mover.start_rotation, mover.rotation)};
 }
 
 }  // namespace
 
-BodySweep::BodySweep(const World& world, Bodies& bodies, std::vector<Mover>& movers,
-                     std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules)
-    : world_(world), bodies_(bodies), movers_(movers), movers_of_slots_(movers_of_slots), rules_(rules) {}
+BodySweep::BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
+                     std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound,
+                     const SweepRules& rules)
+    : world_(world),
+      parts_(parts),
+      bodies_(bodies),
+      movers_(movers),
+      movers_of_slots_(movers_of_slots),
+      sound_(sound),
+      rules_(rules) {}
 
 void BodySweep::run() {
     start();
@@ -51,9 +79,7 @@ void BodySweep::run() {
         const Way& way = ways_[mover.slot];
         if (!way.swept) continue;
         const Pose end = pose_at(way.motion, 1);
-        mover.position = end.position;
-        mover.rotation = normalised(end.rotation);
-        mover.turn_inertia();
+        mover.put_at(end.position, normalised(end.rotation));
     }
 }
 
@@ -62,7 +88,7 @@ void BodySweep::start() {
     std::vector<BodyBall> balls;
     for (std::uint32_t slot = 0; slot < ways_.size(); ++slot) {
         const Body& body = bodies_.slots[slot];
-        if (!body.shape.valid() || body.stuck) continue;
+        if (!sound_[slot] || body.stuck) continue;
         Way& way = ways_[slot];
         way.is_there = true;
         const bool moves = movers_of_slots_[slot] != kFixed;
@@ -74,6 +100,7 @@ void BodySweep::start() {
         if (!moves) continue;
         const Mover& mover = movers_[movers_of_slots_[slot]];
         balls.back().awake = way_of(way.motion, mover.shape->reach) > 0.5 * kSlowShare * mover.shape->thinnest;
+        if (!parts_are_clear(mover)) find_part_touch(slot);
         if (moved_clearly(mover, way.motion)) continue;
         find_world_touch(slot);
     }
@@ -93,7 +120,7 @@ std::span<const Sphere> BodySweep::cores_of(std::uint32_t slot, std::vector<Sphe
     return into;
 }
 
-SetMotion BodySweep::rest_of(const Way& way, double at) const {
+RigidMotion BodySweep::rest_of(const Way& way, double at) const {
     if (at <= way.from) return way.motion;
     const double done = (at - way.from) / (1 - way.from);
     const Pose pose = pose_at(way.motion, done);
@@ -110,7 +137,33 @@ void BodySweep::find_world_touch(std::uint32_t slot) {
     const SetHit hit = cast(world_, cores_of(slot, cores_), way.motion, options);
     if (hit.status == Status::kInvalid) way.motion.path = way.motion.turn = {};
     if (!hit.touched()) return;
-    touches_.push({way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.point, hit.normal});
+    touches_.push(
+        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point, hit.normal});
+}
+
+/// Whether body and parts went too little for it to be deeper in one than the skin.
+bool BodySweep::parts_are_clear(const Mover& mover) const {
+    const double way = way_of(ways_[mover.slot].motion, mover.shape->reach);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        if (!(way + parts_[k].way < mover.part_clear) &&
+            parts_[k].may_meet(mover.start, mover.shape->reach + way + rules_.skin))
+            return false;
+    return true;
+}
+
+/// The parts go on meanwhile, whether it does or not.
+void BodySweep::find_part_touch(std::uint32_t slot) {
+    Way& way = ways_[slot];
+    if (parts_.empty() || way.ended) return;
+    if (!way.swept) ++swept_;
+    way.swept = true;
+    CastOptions options;
+    options.mask = bodies_.slots[slot].mask;
+    options.contact_offset = rules_.skin * 0.25;
+    const SetPartHit hit = parts_.cast_set(cores_of(slot, cores_), way.motion, way.from, way.carried_by, options);
+    if (!hit.touched()) return;
+    touches_.push(
+        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point, hit.normal});
 }
 
 /// @param at_start  what overlaps then was passed on to contacts, or meets there
@@ -118,23 +171,25 @@ void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap
     const Way &one = ways_[slot], &two = ways_[other];
     const BodyShapeData &shape = bodies_.slots[slot].shape.data(), &other_shape = bodies_.slots[other].shape.data();
     const double from = std::max(one.from, two.from);
-    const SetMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
+    const RigidMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
     const double nearer = length(motion.path - other_motion.path) + length(motion.turn) * shape.reach +
                           length(other_motion.turn) * other_shape.reach;
     if (nearer <= kSlowShare * std::min(shape.thinnest, other_shape.thinnest)) return;
     const SetPairHit hit = cast(cores_of(slot, cores_), motion, cores_of(other, other_cores_), other_motion);
     if (!hit.touched() || (at_start == Overlap::kPassed && hit.status == Status::kInitialOverlap)) return;
     // Whether they come nearer there by more than rounding: along the normal, in the time that is left.
-    const auto moved_at = [&](const SetMotion& of) {
+    const auto moved_at = [&](const RigidMotion& of) {
         return of.path + cross(of.turn, hit.point - (of.position + of.path * hit.fraction));
     };
     if (dot(moved_at(motion) - moved_at(other_motion), hit.normal) > -kDistanceRounding) return;
-    touches_.push({from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, hit.point, hit.normal});
+    touches_.push(
+        {from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, kNoPart, hit.point, hit.normal});
 }
 
 /// All that a body comes to meet, on a new piece of its way.
 void BodySweep::find_touches(std::uint32_t slot) {
     find_world_touch(slot);
+    find_part_touch(slot);
     const Vec3 centre = ways_[slot].motion.position;
     const double reach = reach_of(slot);
     for (std::uint32_t other = 0; other < ways_.size(); ++other) {
@@ -158,26 +213,50 @@ void BodySweep::wake(std::uint32_t slot) {
 
 /// Where it is then.
 Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
-    const SetMotion rest = rest_of(ways_[slot], at);
+    const RigidMotion rest = rest_of(ways_[slot], at);
     Mover& mover = movers_[movers_of_slots_[slot]];
-    mover.position = rest.position;
-    mover.rotation = rest.rotation;
-    mover.turn_inertia();
+    mover.put_at(rest.position, rest.rotation);
+    if (ways_[slot].piece == 0) turn_as_swept(mover, rest.turn);
     return mover;
 }
 
 /// From there, with the velocities that it has now.
-void BodySweep::go_on(std::uint32_t slot, double at, bool stops) {
+/// @param part  that it has met; it takes along what has met enough
+void BodySweep::go_on(std::uint32_t slot, double at, bool stops, std::uint32_t part) {
     Way& way = ways_[slot];
     const Mover& mover = movers_[movers_of_slots_[slot]];
     const double left = rules_.seconds * (1 - at);
     way.motion = {mover.position, mover.rotation, {}, {}};
-    if (!stops && way.met <= rules_.max_bounces) {
+    way.carried_by = kNoPart;
+    if (way.met > 2 * rules_.max_bounces + kMostCarries) {
+        way.ended = true;
+        way.crushed = way.pushed_by != kNoPart;
+    }
+    if (!way.ended && (stops || way.met > rules_.max_bounces)) {
+        way.carried_by = part;
+        if (part != kNoPart) way.motion = parts_.carried(part, mover.position, mover.rotation, at);
+    } else if (!way.ended) {
         way.motion.path = mover.velocity * left;
         way.motion.turn = mover.spin * left;
+        if (const double angle = length(way.motion.turn); angle > kMaxTurn) way.motion.turn *= kMaxTurn / angle;
     }
     way.from = at;
     ++way.piece;
+}
+
+/// The level, or a part.
+void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
+    Way& way = ways_[it.slot];
+    const bool is_between = way.carried_by != kNoPart;
+    if (it.part != kNoPart) {
+        terms.surface = parts_[it.part].velocity_of(it.point, it.at * rules_.seconds);
+        way.pushed_by = it.part;
+        way.met_others = true;
+    }
+    const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
+    if (is_between) way.ended = way.crushed = true;
+    go_on(it.slot, it.at, !nearer, it.part);
+    if (!way.ended) find_touches(it.slot);
 }
 
 void BodySweep::touch(const Touching& it) {
@@ -185,20 +264,19 @@ void BodySweep::touch(const Touching& it) {
     TouchTerms terms{body.restitution, std::sqrt(body.friction * rules_.friction), rules_.bounce_speed};
     ++bounces_;
     ++ways_[it.slot].met;
-    if (it.other == kFixed) {
-        const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
-        go_on(it.slot, it.at, !nearer);
-        return find_touches(it.slot);
-    }
+    if (it.other == kFixed) return touch_fixed(it, terms);
     for (const std::uint32_t slot : {it.slot, it.other})
         if (movers_of_slots_[slot] == kFixed) wake(slot);
     const Body& other = bodies_.slots[it.other];
     terms.restitution = std::max(body.restitution, other.restitution);
     terms.friction = std::sqrt(body.friction * other.friction);
     ++ways_[it.other].met;
+    ways_[it.slot].met_others = ways_[it.other].met_others = true;
     Mover &one = mover_at(it.slot, it.at), &two = mover_at(it.other, it.at);
     const bool nearer = respond(one, &two, it.point, it.normal, terms);
-    for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer);
+    // What a part takes along takes along what has met enough.
+    const std::uint32_t part = std::min(ways_[it.slot].carried_by, ways_[it.other].carried_by);
+    for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer, part);
     for (const std::uint32_t slot : {it.slot, it.other}) find_touches(slot);
 }
 

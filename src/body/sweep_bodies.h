@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "body/mover.h"
+#include "body/step_parts.h"
+#include "body/touch_response.h"
 #include "firma/cast_set.h"
 #include "firma/world.h"
 
@@ -20,61 +22,82 @@ struct SweepRules {
     int max_bounces = 0;
 };
 
-/// Takes each body from where the step began as far along its way as no sphere, less the skin, meets the world or a
-/// sphere of another body, in the order of time. There it bounces, or goes on along the wall, for what is left of the
-/// step. What meets more than max_bounces times stays there until the next step.
+/// Takes each body from where the step began as far along its way as no sphere, less the skin, meets the world, a part
+/// or a sphere of another body, in the order of time. There it bounces, or goes on along the wall, for what is left of
+/// the step. What meets more than max_bounces times stays there until the next step; if a part meets it then, it is
+/// carried along, until it meets something again: then it is crushed, and the part goes over it.
 class BodySweep {
 public:
     /// @param movers           where the step would take them; a sleeper that is met joins them
     /// @param movers_of_slots  kFixed where no mover is
-    BodySweep(const World& world, Bodies& bodies, std::vector<Mover>& movers,
-              std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules);
+    /// @param sound            of slots: others are met by nothing
+    BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
+              std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound, const SweepRules& rules);
 
     void run();
 
     std::size_t swept() const { return swept_; }
     std::size_t bounces() const { return bounces_; }
     std::size_t woken() const { return woken_; }
+    /// Of a slot: a part could not push it away.
+    bool is_crushed(std::uint32_t slot) const { return slot < ways_.size() && ways_[slot].crushed; }
+    /// Whether a slot's body met something, and none of it was a part or another body.
+    bool met_only_level(std::uint32_t slot) const {
+        return slot < ways_.size() && ways_[slot].met > 0 && !ways_[slot].met_others;
+    }
 
 private:
     /// The straight piece of a body's way that it is on.
     struct Way {
-        SetMotion motion;
+        RigidMotion motion;
         double from = 0;  ///< of the step: when the piece begins
         int met = 0;
         std::uint32_t piece = 0;
+        std::uint32_t carried_by = kNoPart;
+        std::uint32_t pushed_by = kNoPart;  ///< the last part that it met
         bool is_there = false, swept = false;
+        bool ended = false;  ///< it stays where it is, whatever comes
+        bool crushed = false;
+        bool met_others = false;  ///< parts or bodies
     };
     /// A touch that comes as long as both go on as they do now.
     struct Touching {
         double at = 0;  ///< of the step
         std::uint32_t slot = 0, other = kFixed;
         std::uint32_t piece = 0, other_piece = 0;
+        std::uint32_t part = kNoPart;  ///< where other is kFixed
         Vec3 point, normal;
-        /// The queue takes the greatest first.
+        /// The queue takes the greatest first. Of touches at one time the order is the same whatever the queue is made
+        /// of: those of parts come after that of the level.
         friend bool operator<(const Touching& a, const Touching& b) {
             if (a.at != b.at) return a.at > b.at;
-            return a.slot != b.slot ? a.slot > b.slot : a.other > b.other;
+            if (a.slot != b.slot) return a.slot > b.slot;
+            return a.other != b.other ? a.other > b.other : a.part + 1 > b.part + 1;
         }
     };
 
     void start();
     void find_world_touch(std::uint32_t slot);
+    void find_part_touch(std::uint32_t slot);
+    bool parts_are_clear(const Mover& mover) const;
     enum class Overlap : std::uint8_t { kPassed, kMeets };
     void find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start);
     void find_touches(std::uint32_t slot);
     void touch(const Touching& it);
     Mover& mover_at(std::uint32_t slot, double at);
     void wake(std::uint32_t slot);
-    void go_on(std::uint32_t slot, double at, bool stops);
-    SetMotion rest_of(const Way& way, double at) const;
+    void touch_fixed(const Touching& it, TouchTerms terms);
+    void go_on(std::uint32_t slot, double at, bool stops, std::uint32_t part);
+    RigidMotion rest_of(const Way& way, double at) const;
     double reach_of(std::uint32_t slot) const;
     std::span<const Sphere> cores_of(std::uint32_t slot, std::vector<Sphere>& into) const;
 
     const World& world_;
+    const StepParts& parts_;
     Bodies& bodies_;
     std::vector<Mover>& movers_;
     std::vector<std::uint32_t>& movers_of_slots_;
+    const std::vector<bool>& sound_;
     const SweepRules& rules_;
     std::vector<Way> ways_;  ///< of slots
     std::priority_queue<Touching> touches_;

@@ -13,13 +13,18 @@ struct TouchingPair {
     Mover& mover;
     Mover* other;
     Vec3 from, from_other;  ///< from their centres to the point
+    Vec3 surface;
 
-    TouchingPair(Mover& one, Mover* two, const Vec3& point)
-        : mover(one), other(two), from(point - one.position), from_other(two ? point - two->position : Vec3{}) {}
+    TouchingPair(Mover& one, Mover* two, const Vec3& point, const Vec3& moves)
+        : mover(one),
+          other(two),
+          from(point - one.position),
+          from_other(two ? point - two->position : Vec3{}),
+          surface(moves) {}
 
     Vec3 speed() const {
         const Vec3 own = mover.velocity_at(from);
-        return other ? own - other->velocity_at(from_other) : own;
+        return other ? own - other->velocity_at(from_other) : own - surface;
     }
     double yield(const Vec3& direction) const {
         return mover.yield(direction, from) + (other ? other->yield(direction, from_other) : 0);
@@ -33,7 +38,7 @@ struct TouchingPair {
 }  // namespace
 
 bool respond(Mover& mover, Mover* other, const Vec3& point, const Vec3& normal, const TouchTerms& terms) {
-    TouchingPair pair(mover, other, point);
+    TouchingPair pair(mover, other, point, terms.surface);
     const Vec3 speed = pair.speed();
     const double approach = dot(speed, normal);
     if (!(approach < 0)) return false;

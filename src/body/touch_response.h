@@ -9,10 +9,11 @@ namespace firma {
 struct TouchTerms {
     double restitution = 0, friction = 0;
     double bounce_speed = 0;  ///< metres a second along the normal: what meets slower does not bounce
+    Vec3 surface{};           ///< metres a second, of what is met, where that is no mover
 };
 
 /// Newton's restitution, and Coulomb's friction, of no more than brings sliding to an end. Of both together no more
-/// than leaves the energy as it was.
+/// than leaves the energy as it was, as what is met sees it.
 /// @param other   null: the world
 /// @param normal  unit, toward `mover`
 /// @return whether they were coming nearer at all; else nothing changes

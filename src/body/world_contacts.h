@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body/mover.h"
+#include "body/step_parts.h"
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
 
@@ -18,6 +19,10 @@ public:
     /// contact, none. Sets Mover::clear.
     /// @param index  of the mover, for NearContact::a
     void find(Mover& mover, std::uint32_t index, const Body& body, double margin, std::vector<NearContact>& found);
+    /// The same of parts where they are as the step begins; sets Mover::part_clear.
+    /// @param most  of the margin; what a part goes counts besides
+    void find_on_parts(const StepParts& parts, Mover& mover, std::uint32_t index, const Body& body, double margin,
+                       double most, std::vector<NearContact>& found);
 
 private:
     struct Touch {
@@ -29,7 +34,9 @@ private:
     };
     void look_at(const Mover& mover, double margin, const PolygonShape& polygon, bool two_sided, FaceRef face,
                  PortalId portal);
-    void keep_apart(std::vector<NearContact>& found, Mover& mover, std::uint32_t index);
+    void look_around(const World& world, const Mover& mover, std::uint32_t mask, double margin);
+    void keep_apart(std::vector<NearContact>& found, const Mover& mover, std::uint32_t index, std::uint32_t part);
+    double least_clear(const Mover& mover) const;
 
     const World& world_;
     const double skin_;

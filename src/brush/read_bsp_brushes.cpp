@@ -64,6 +64,7 @@ private:
             return file_.fault(ErrorCode::kMalformed, BspLump::kEntities, "holds no entity");
         }
         builder_.level.entities = std::move(map.value().entities);
+        builder_.level.placed_from_origins = true;
         return std::nullopt;
     }
 
@@ -142,6 +143,7 @@ private:
             builder_.notes.leave_out("brush that encloses nothing is kept as data", "brushes that enclose nothing", at);
             brush.kind = BrushKind::kData;
         }
+        if (sides.size() < 4) brush.part_kind = BrushKind::kData;
         builder_.add(brush, sides);
     }
 
@@ -169,6 +171,7 @@ private:
             builder_.notes.add(note, at);
         else
             builder_.notes.leave_out(note, brushes, at);
+        if (owner.named && owner.rule == EntityRule::kMoves) brush.part_kind = brush.kind;
         brush.kind = BrushKind::kData;
     }
 

@@ -169,6 +169,7 @@ private:
             builder_.shift(plane.shift, at);
         }
         brush.kind = kind_in_entity(brush_kind(kinds), from, brush.detail);
+        if (rules_[from.entity] == EntityRule::kMoves && sides.size() >= 4) brush.part_kind = brush_kind(kinds);
         if (sides.size() < 4 && brush.kind != BrushKind::kData) {
             builder_.notes.leave_out("brush of fewer than four sides is kept as data",
                                      "brushes of fewer than four sides", at);

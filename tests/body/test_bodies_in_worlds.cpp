@@ -70,8 +70,17 @@ TEST(BodiesInWorlds, ABodyInAWallIsTold) {
     EXPECT_EQ(depth_fault(world, bodies), "body 0: a sphere 0.001500 m deep");
     body.position = {0, 0, -1};
     EXPECT_EQ(depth_fault(world, bodies), "body 0: a centre in solid");
-    body.position = {0, 0, -5};
-    EXPECT_EQ(reference::BodyDepths(world.bounds()).fault(world, bodies), "body 0: lost");
+}
+
+TEST(BodiesInWorlds, ABodyOutsideIsTold) {
+    const World world = test::depot_world();
+    Bodies bodies;
+    Rng rng(6);
+    const BodyId id = add_body(bodies, random_body(world, scenes::cut_places(world).inside, rng));
+    EXPECT_EQ(reference::BodyDepths(true).fault(world, bodies), "");
+    bodies.find(id)->position = world.bounds().high + Vec3{1, 0, 0};
+    EXPECT_EQ(reference::BodyDepths(true).fault(world, bodies), "body 0: lost");
+    EXPECT_EQ(reference::BodyDepths().fault(world, bodies), "");
 }
 
 TEST(BodiesInWorlds, TheSameBitsEachTimeAndFromASnapshot) {

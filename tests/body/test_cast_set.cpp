@@ -23,13 +23,13 @@ SphereSet plank() {
     return spheres;
 }
 
-Vec3 centre_at(const SetMotion& motion, double fraction, const Sphere& sphere) {
+Vec3 centre_at(const RigidMotion& motion, double fraction, const Sphere& sphere) {
     const Pose pose = pose_at(motion, fraction);
     return pose.position + matrix_of(pose.rotation) * sphere.centre;
 }
 
 /// Metres between the nearest sphere and faces that bound solid; up to 0.2.
-double gap_at(const World& world, const SphereSet& spheres, const SetMotion& motion, double fraction) {
+double gap_at(const World& world, const SphereSet& spheres, const RigidMotion& motion, double fraction) {
     double least = 0.2;
     for (const Sphere& sphere : spheres) {
         const NearFace near = closest(world, centre_at(motion, fraction, sphere), sphere.radius + least);
@@ -44,7 +44,7 @@ void for_motions(const World& world, const SphereSet& spheres, double turn, int 
     Rng rng(7);
     const Box box = world.bounds();
     for (int made = 0; made < count;) {
-        SetMotion motion;
+        RigidMotion motion;
         for (int axis = 0; axis < 3; ++axis) motion.position[axis] = rng.uniform(box.low[axis], box.high[axis]);
         if (locate(world, motion.position).where != Where::kAir) continue;
         motion.rotation = random_turn(rng.next());
@@ -60,7 +60,7 @@ TEST(CastSet, StraightAsItsSpheresAlone) {
     const World world = test::depot_world();
     const SphereSet spheres = plank();
     std::size_t hits = 0;
-    for_motions(world, spheres, 0, test::sample(1500), [&](const SetMotion& motion) {
+    for_motions(world, spheres, 0, test::sample(1500), [&](const RigidMotion& motion) {
         const SetHit hit = cast(world, spheres, motion);
         Hit first;
         std::uint32_t which = ~0u;
@@ -83,7 +83,7 @@ TEST(CastSet, TurningIsNeverLateAndHardlyEarly) {
     const SphereSet spheres = plank();
     for (const double turn : {0.3, 3.0, 20.0}) {
         std::size_t hits = 0;
-        for_motions(world, spheres, turn, test::sample(300), [&](const SetMotion& motion) {
+        for_motions(world, spheres, turn, test::sample(300), [&](const RigidMotion& motion) {
             const SetHit hit = cast(world, spheres, motion);
             const double end = hit.touched() ? hit.fraction : 1;
             for (int k = 0; k <= 64; ++k)
@@ -103,12 +103,12 @@ TEST(CastSet, TurningIsNeverLateAndHardlyEarly) {
 TEST(CastSet, OfNothingOrOfWhatIsNoNumber) {
     const World world = test::depot_world();
     const SphereSet spheres = plank();
-    SetMotion motion;
+    RigidMotion motion;
     motion.path = {1, 0, 0};
     EXPECT_EQ(cast(world, {}, motion).status, Status::kMiss);
     EXPECT_EQ(cast(World(), spheres, motion).status, Status::kMiss);
     for (int k = 0; k < 4; ++k) {
-        SetMotion bad = motion;
+        RigidMotion bad = motion;
         if (k == 0) bad.position.y = NAN;
         if (k == 1) bad.path.z = INFINITY;
         if (k == 2) bad.turn.x = 2 * kMaxAngle;
@@ -128,7 +128,7 @@ TEST(CastSetPair, AsSampled) {
     const SphereSet spheres = plank();
     std::size_t hits = 0;
     for (int k = 0; k < test::sample(2000); ++k) {
-        SetMotion a, b;
+        RigidMotion a, b;
         a.rotation = random_turn(rng.next());
         b.rotation = random_turn(rng.next());
         b.position = rng.direction() * rng.uniform(0.3, 3);
@@ -160,7 +160,7 @@ TEST(CastSetPair, AsSampled) {
 
 TEST(CastSetPair, OverlapAtTheStart) {
     const Sphere ball{{0, 0, 0}, 1};
-    SetMotion a, b;
+    RigidMotion a, b;
     b.position = {1.5, 0, 0};
     a.path = {1, 0, 0};
     EXPECT_EQ(cast({&ball, 1}, a, {&ball, 1}, b).status, Status::kInitialOverlap);

@@ -91,11 +91,18 @@ int main(int argc, char** argv) {
     test_worlds();
     test_casts();
     test_movers();
+    test_players();
     test_visitors();
     test_structs();
     test_old_names();
     test_carving();
     test_chunks();
+    test_convex_pieces();
+    test_bodies();
+    test_projectiles();
+    test_debris();
+    test_level_parts();
+    test_supports();
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");

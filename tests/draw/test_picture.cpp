@@ -32,6 +32,19 @@ TEST(Picture, SideBySide) {
     EXPECT_EQ(both.at(both.width - 1, 3), (Colour{7, 8, 9}));
 }
 
+TEST(Picture, FilmStrip) {
+    const Picture frames[] = {Picture(3, 2, {1, 1, 1}), Picture(3, 2, {2, 2, 2}), Picture(3, 2, {3, 3, 3})};
+    const Picture strip = film_strip(frames, 2);
+    EXPECT_EQ(strip.at(0, 0)[0], 1);
+    EXPECT_EQ(strip.at(strip.width - 1, 1)[0], 2);
+    EXPECT_EQ(strip.at(0, strip.height - 1)[0], 3);
+    EXPECT_EQ(strip.at(strip.width - 1, strip.height - 1)[0], 255);
+    EXPECT_EQ(strip.at(3, 0)[0], 255);
+    const Picture one = film_strip(std::span(frames, 1), 3);
+    EXPECT_EQ(one.pixels, frames[0].pixels);
+    EXPECT_EQ(film_strip({}, 3).width, 0);
+}
+
 TEST(Picture, FlatColoursMakeSmallFiles) {
     const std::string bytes = png_bytes(Picture(640, 480, {10, 200, 30}));
     EXPECT_TRUE(bytes.starts_with("\x89PNG\r\n\x1a\n"));

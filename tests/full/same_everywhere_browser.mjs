@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Runs same_everywhere.mjs in Chromium, from a server of its own on this machine; the page sends back what it would print.
+// Runs same_games.mjs and same_everywhere.mjs in Chromium, from a server of its own on this machine; the page sends back
+// what they would print.
 //
-//   node same_everywhere_browser.mjs FIRMA.wasm LEVEL CUTS CASTS      (paths below the repository)
+//   node same_everywhere_browser.mjs FIRMA_GAMES.wasm LEVEL.obj STEPS FIRMA.wasm LEVEL CUTS CASTS      (paths below the repository)
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -13,13 +14,17 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const TYPES = { js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', obj: 'text/plain' };
 const LONGEST = 900_000; // milliseconds
 
-const page = (module, level, cuts, casts) => `<!doctype html><meta charset="utf-8"><title>Firma</title>
+const page = (gamesModule, gamesLevel, steps, module, level, cuts, casts) => `<!doctype html><meta charset="utf-8"><title>Firma</title>
 <script type="module">
 const lines = [];
 let ok = false;
 try {
+    const bytesOf = async (path) => new Uint8Array(await (await fetch(path)).arrayBuffer());
+    const { runGames } = await import('/tests/full/same_games.mjs');
+    const gamesLevel = await bytesOf(${JSON.stringify(`/${gamesLevel}`)});
+    await runGames(fetch(${JSON.stringify(`/${gamesModule}`)}), gamesLevel, ${Number(steps)}, (line) => lines.push(line));
     const { run } = await import('/tests/full/same_everywhere.mjs');
-    const level = new Uint8Array(await (await fetch(${JSON.stringify(`/${level}`)})).arrayBuffer());
+    const level = await bytesOf(${JSON.stringify(`/${level}`)});
     await run(fetch(${JSON.stringify(`/${module}`)}), level, ${Number(cuts)}, ${Number(casts)}, (line) => lines.push(line));
     ok = true;
 } catch (error) {
@@ -51,7 +56,7 @@ function serve(html, done) {
 }
 
 const words = process.argv.slice(2);
-if (words.length !== 4) throw new Error('usage: node same_everywhere_browser.mjs FIRMA.wasm LEVEL CUTS CASTS');
+if (words.length !== 7) throw new Error('usage: node same_everywhere_browser.mjs FIRMA_GAMES.wasm LEVEL.obj STEPS FIRMA.wasm LEVEL CUTS CASTS');
 const profile = await mkdtemp(join(tmpdir(), 'firma-chromium-'));
 let browser;
 const result = await new Promise((done) => {

@@ -9,6 +9,7 @@
 #include "firma/chunk.h"
 #include "firma/rooms.h"
 #include "scenes/level_cuts.h"
+#include "tests/reference/rooms_outside.h"
 
 namespace firma::reference {
 namespace {
@@ -33,11 +34,7 @@ void throw_body(firma::Body& body, Rng& rng) {
 class BodyGame {
 public:
     BodyGame(const World& level, const BodyRun& run)
-        : world_(with_anchors(level)),
-          places_(scenes::cut_places(level)),
-          run_(run),
-          rng_(run.seed),
-          depths_(level.bounds()) {}
+        : world_(with_anchors(level)), places_(scenes::cut_places(level)), run_(run), rng_(run.seed), depths_(true) {}
 
     BodyVerdict play() {
         BodyVerdict verdict;
@@ -71,6 +68,7 @@ private:
         CarveOptions options;
         options.chunks = ChunkOptions{};
         const CarveResult made = carve(world_, orders[0].cutter, orders[0].pose, options);
+        if (opens_way_out(world_, made.world)) return;
         world_ = made.world;
         cuts_ += made.done();
         for (const Chunk& chunk : made.chunks) {
@@ -115,6 +113,7 @@ firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
     const Vec3 half{size, size * rng.uniform(0.3, 1), size};
     const double density = std::pow(10.0, rng.uniform(2, 4));
     const BodyShape shape = make_body_shape(spheres, mass_of_box(half, density)).value();
+    const std::vector<bool> outside = rooms_outside(world);
     constexpr double kWide = 0.5;  // no shape reaches so far
     for (;;) {
         const LevelFace& face = walls.faces[rng.below(std::uint32_t(walls.faces.size()))];
@@ -127,8 +126,7 @@ firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
         pose.position = a + (b - a) * i + (c - a) * j + across * (out / length(across));
         pose.rotation = random_turn(rng.next());
         const Location at = locate(world, pose.position);
-        if (at.where != Where::kAir || room_info(world, at.room)->exterior || closest(world, pose.position, kWide))
-            continue;
+        if (at.where != Where::kAir || outside[at.room.value] || closest(world, pose.position, kWide)) continue;
         firma::Body body = body_at(shape, pose);
         throw_body(body, rng);
         body.restitution = rng.uniform(0, 0.9);
@@ -138,6 +136,7 @@ firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
 
 std::string BodyDepths::fault(const World& world, const Bodies& bodies) {
     slept_.resize(bodies.slots.size(), false);
+    if (kept_in_ && version_ != world.version()) outside_ = rooms_outside(world);
     for (std::size_t slot = 0; slot < bodies.slots.size(); ++slot) {
         const firma::Body& body = bodies.slots[slot];
         if (!body.shape.valid() || (body.asleep && slept_[slot] && version_ == world.version())) continue;
@@ -151,8 +150,10 @@ std::string BodyDepths::fault(const World& world, const Bodies& bodies) {
 
 std::string BodyDepths::fault_of(const World& world, const firma::Body& body) {
     const double skin = world.tolerance().contact_offset;
-    for (int axis = 0; axis < 3 && !within_.empty(); ++axis)
-        if (!(body.position[axis] >= within_.low[axis] && body.position[axis] <= within_.high[axis])) return "lost";
+    if (kept_in_) {
+        const Location at = locate(world, body.position);
+        if (at.where == Where::kUnknown || (at.where == Where::kAir && outside_[at.room.value])) return "lost";
+    }
     const Pose pose = pose_of(body);
     const TurnMatrix turn = matrix_of(pose.rotation);
     for (const Sphere& sphere : body.shape.spheres()) {

@@ -12,15 +12,15 @@
 
 namespace firma::reference {
 
-/// In the air of rooms, clear of all, of 1 to 40 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
+/// In the air of rooms that are not outside, clear of all, of 1 to 40 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
 /// @param walls  one of its faces is near
 firma::Body random_body(const World& world, const Level& walls, scenes::Rng& rng);
 
 /// How deep spheres are in what bounds solid, body by body, frame by frame.
 class BodyDepths {
 public:
-    /// @param within  no body leaves this; empty: anywhere
-    explicit BodyDepths(const Box& within = {}) : within_(within) {}
+    /// @param kept_in  a body is lost in a room that is outside; else it may be anywhere
+    explicit BodyDepths(bool kept_in = false) : kept_in_(kept_in) {}
 
     /// Looks again at what moved, and at all where the world is another one than last time.
     /// @return "" where no sphere is deeper than the contact offset, no centre is in solid and no body is lost
@@ -32,8 +32,8 @@ public:
 private:
     std::string fault_of(const World& world, const firma::Body& body);
 
-    const Box within_;
-    std::vector<bool> slept_;
+    const bool kept_in_;
+    std::vector<bool> slept_, outside_;
     std::uint64_t version_ = ~std::uint64_t{};
     double deepest_ = 0;
     std::uint64_t looked_at_ = 0;
@@ -54,7 +54,8 @@ struct BodyVerdict {
 };
 
 /// Bodies are thrown again about every ten seconds. What cuts take loose becomes bodies, too, up to a few hundred.
-/// @param level  closed, with rooms
+/// A cut that opens a way out of the level is not made.
+/// @param level  with rooms that are not outside
 BodyVerdict judge_bodies(const World& level, const BodyRun& run);
 
 }  // namespace firma::reference

@@ -8,7 +8,7 @@ import { ANCHORS, BOX, CHUNK, MASS, MATTER_VOLUME, REST } from './layout.js';
 import { World } from './world.js';
 import { putName } from './world_options.js';
 
-function getMassAt(core, at) {
+export function getMassAt(core, at) {
     const inertia = (at + MASS.inertia) >>> 3;
     return {
         volume: core.getF64(at + MASS.volume),

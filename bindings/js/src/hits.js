@@ -19,10 +19,11 @@ import { NO_PORTAL } from './rooms.js';
 
 const F64 = (offset) => offset >>> 3;
 const U32 = (offset) => offset >>> 2;
-const noFace = (id) => (id === NO_FACE ? null : id);
+/** Null for none. */
+export const noFace = (id) => (id === NO_FACE ? null : id);
 /** Of the numbers of firma_status. */
 const isHit = (status) => status === 1 || status === 2;
-const noPortal = (id) => (id === NO_PORTAL ? null : id);
+export const noPortal = (id) => (id === NO_PORTAL ? null : id);
 const ROOMS = new Map([
     [undefined, 0xffffffff],
     ['any', 0xffffffff],

@@ -1,16 +1,4 @@
 // SPDX-License-Identifier: MIT
 // What `import ... from 'firma'` gives.
 export { loadFirma } from './load.js';
-export { FirmaError } from './errors.js';
-export { NO_FACE } from './faces.js';
-export { HitBatch } from './hits.js';
-export { NO_PORTAL } from './rooms.js';
-export {
-    FACE_SOLID,
-    FACE_TWO_SIDED,
-    IS_SKY,
-    STOPS_LIQUID,
-    STOPS_SHOTS,
-    STOPS_SIGHT,
-    STOPS_WALK,
-} from './layout.js';
+export * from './common.js';

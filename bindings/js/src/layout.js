@@ -73,6 +73,13 @@ export const MOVER_KIND_NAMES = Object.freeze([
     'hull',
 ]);
 
+/** By the numbers of firma_contact_kind. */
+export const CONTACT_KIND_NAMES = Object.freeze([
+    'ground',
+    'wall',
+    'ceiling',
+]);
+
 /** By the numbers of firma_shape. */
 export const SHAPE_NAMES = Object.freeze([
     'rocky',
@@ -87,6 +94,23 @@ export const CARVE_STATUS_NAMES = Object.freeze([
     'done',
     'nothing',
     'refused',
+]);
+
+/** By the numbers of firma_projectile_state. */
+export const PROJECTILE_STATE_NAMES = Object.freeze([
+    'flying',
+    'stopped',
+    'expired',
+]);
+
+/** By the numbers of firma_shot_event_kind. */
+export const SHOT_EVENT_KIND_NAMES = Object.freeze([
+    'ricochet',
+    'entered',
+    'left',
+    'passed',
+    'stopped',
+    'expired',
 ]);
 
 /** By the numbers of firma_edit_kind. */
@@ -629,6 +653,138 @@ export const NEAR_OPTIONS = Object.freeze({
     reserved: 12,
 });
 
+/** firma_motion */
+export const MOTION = Object.freeze({
+    sizeof: 104,
+    position: 0,
+    rotation: 24,
+    path: 56,
+    turn: 80,
+});
+
+/** firma_part */
+export const PART = Object.freeze({
+    sizeof: 120,
+    size: 0,
+    mask: 4,
+    world: 8,
+    motion: 16,
+});
+
+/** firma_scene */
+export const SCENE = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    reserved: 4,
+    world: 8,
+    parts: 16,
+    from: 24,
+    to: 32,
+});
+
+/** firma_part_hit */
+export const PART_HIT = Object.freeze({
+    sizeof: 184,
+    hit: 0,
+    surfaceVelocity: 152,
+    part: 176,
+    reserved: 180,
+});
+
+/** firma_part_near */
+export const PART_NEAR = Object.freeze({
+    sizeof: 128,
+    near: 0,
+    surfaceVelocity: 96,
+    part: 120,
+    reserved: 124,
+});
+
+/** firma_player_size */
+export const PLAYER_SIZE = Object.freeze({
+    sizeof: 56,
+    size: 0,
+    reserved: 4,
+    radius: 8,
+    height: 16,
+    crouchedHeight: 24,
+    up: 32,
+});
+
+/** firma_player */
+export const PLAYER = Object.freeze({
+    sizeof: 128,
+    position: 0,
+    velocity: 24,
+    groundNormal: 48,
+    groundVelocity: 72,
+    worldHash: 96,
+    mask: 104,
+    room: 108,
+    groundPart: 112,
+    onGround: 116,
+    crouched: 120,
+    stuck: 124,
+});
+
+/** firma_player_wish */
+export const PLAYER_WISH = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    jump: 4,
+    crouch: 8,
+    careful: 12,
+    velocity: 16,
+});
+
+/** firma_player_rules */
+export const PLAYER_RULES = Object.freeze({
+    sizeof: 96,
+    size: 0,
+    reserved: 4,
+    gravity: 8,
+    maxSlope: 16,
+    stepHeight: 24,
+    maxDrop: 32,
+    overhang: 40,
+    jumpSpeed: 48,
+    groundAcceleration: 56,
+    airAcceleration: 64,
+    crouchedSpeed: 72,
+    maxPush: 80,
+    contactOffset: 88,
+});
+
+/** firma_player_contact */
+export const PLAYER_CONTACT = Object.freeze({
+    sizeof: 104,
+    point: 0,
+    normal: 24,
+    faceNormal: 48,
+    kind: 72,
+    face: 76,
+    corner: 80,
+    portal: 92,
+    part: 96,
+    material: 100,
+});
+
+/** firma_player_move */
+export const PLAYER_MOVE = Object.freeze({
+    sizeof: 1040,
+    size: 0,
+    contactCount: 4,
+    player: 8,
+    pushed: 136,
+    carried: 160,
+    landedSpeed: 184,
+    pushedBy: 192,
+    crushedBy: 196,
+    jumped: 200,
+    stepped: 204,
+    contacts: 208,
+});
+
 /** firma_pose */
 export const POSE = Object.freeze({
     sizeof: 64,
@@ -740,6 +896,178 @@ export const REST = Object.freeze({
     mended: 4,
     pose: 8,
     volumeChange: 72,
+});
+
+/** firma_fit_options */
+export const FIT_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    maxSpheres: 4,
+    maxError: 8,
+    margin: 16,
+});
+
+/** firma_body_id */
+export const BODY_ID = Object.freeze({
+    sizeof: 8,
+    slot: 0,
+    use: 4,
+});
+
+/** firma_body */
+export const BODY = Object.freeze({
+    sizeof: 208,
+    size: 0,
+    mask: 4,
+    position: 8,
+    rotation: 32,
+    velocity: 64,
+    spin: 88,
+    force: 112,
+    torque: 136,
+    friction: 160,
+    restitution: 168,
+    rolling: 176,
+    mass: 184,
+    asleep: 192,
+    stuck: 196,
+    crushed: 200,
+    reserved: 204,
+});
+
+/** firma_step_options */
+export const STEP_OPTIONS = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    substepsASecond: 4,
+    maxBounces: 8,
+    reserved: 12,
+    gravity: 16,
+    contactFriction: 40,
+    contactOffset: 48,
+    sleepSpeed: 56,
+    sleepAfter: 64,
+});
+
+/** firma_step_report */
+export const STEP_REPORT = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    reserved: 4,
+    awake: 8,
+    contacts: 16,
+    swept: 24,
+    bounces: 32,
+    woken: 40,
+    stuck: 48,
+    crushed: 56,
+});
+
+/** firma_body_contact */
+export const BODY_CONTACT = Object.freeze({
+    sizeof: 96,
+    body: 0,
+    other: 8,
+    point: 16,
+    normal: 40,
+    force: 64,
+    face: 72,
+    corner: 76,
+    portal: 88,
+    part: 92,
+});
+
+/** firma_projectile */
+export const PROJECTILE = Object.freeze({
+    sizeof: 88,
+    position: 0,
+    velocity: 24,
+    mass: 48,
+    age: 56,
+    worldHash: 64,
+    mask: 72,
+    user: 76,
+    state: 80,
+    reserved: 84,
+});
+
+/** firma_shot_terms */
+export const SHOT_TERMS = Object.freeze({
+    sizeof: 32,
+    ricochetBelow: 0,
+    restitution: 8,
+    friction: 16,
+    resistance: 24,
+});
+
+/** firma_fly_options */
+export const FLY_OPTIONS = Object.freeze({
+    sizeof: 144,
+    size: 0,
+    maxImpacts: 4,
+    gravity: 8,
+    maxBow: 32,
+    maxAge: 40,
+    stopSpeed: 48,
+    maxThickness: 56,
+    paneEnergy: 64,
+    other: 72,
+    bodies: 104,
+    matters: 136,
+    matterCount: 140,
+});
+
+/** firma_shot_event */
+export const SHOT_EVENT = Object.freeze({
+    sizeof: 176,
+    time: 0,
+    point: 8,
+    normal: 32,
+    velocity: 56,
+    impulse: 80,
+    energy: 104,
+    thickness: 112,
+    kind: 120,
+    projectile: 124,
+    number: 128,
+    face: 132,
+    corner: 136,
+    portal: 148,
+    body: 152,
+    material: 160,
+    matter: 164,
+    firstLength: 168,
+    lengthCount: 172,
+});
+
+/** firma_shot_length */
+export const SHOT_LENGTH = Object.freeze({
+    sizeof: 24,
+    from: 0,
+    to: 8,
+    matter: 16,
+    reserved: 20,
+});
+
+/** firma_shot_view */
+export const SHOT_VIEW = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    reserved: 4,
+    events: 8,
+    eventCount: 12,
+    lengths: 16,
+    lengthCount: 20,
+});
+
+/** firma_fly_report */
+export const FLY_REPORT = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    reserved: 4,
+    flying: 8,
+    chords: 16,
+    impacts: 24,
 });
 
 /** firma_diff_view */

@@ -10,6 +10,7 @@ import { FirmaError, loadFirma } from '../src/index.js';
 import { boxMesh, firma, levelBytes, readersUrl, wasmUrl } from './helpers.js';
 
 const bytes = await readFile(wasmUrl);
+const gamesUrl = new URL('../src/firma_games.wasm', import.meta.url);
 
 /** Serves the module, and what goes wrong, until work(address) is done. */
 async function serving(work) {
@@ -97,13 +98,15 @@ test('what is not the module is refused', async () => {
 test('the modules ask their host for the time and for visitors alone', async () => {
     const importsOf = async (url) => WebAssembly.Module.imports(await WebAssembly.compile(await readFile(url)));
     const now = { module: 'firma', name: 'now', kind: 'function' };
-    assert.deepEqual(await importsOf(wasmUrl), [now, { module: 'firma', name: 'visit', kind: 'function' }]);
+    const visit = { module: 'firma', name: 'visit', kind: 'function' };
+    for (const url of [wasmUrl, gamesUrl]) assert.deepEqual(await importsOf(url), [now, visit]);
     for (const one of await importsOf(readersUrl)) assert.deepEqual(one, now);
 });
 
 test('the modules are small', async () => {
     for (const [name, url, bound] of [
         ['firma.wasm', wasmUrl, 450_000],
+        ['firma_games.wasm', gamesUrl, 540_000],
         ['firma_readers.wasm', readersUrl, 240_000],
     ]) {
         const module = await readFile(url);

@@ -7,8 +7,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import * as gamesPackage from '../src/games.js';
 import * as firmaPackage from '../src/index.js';
 import * as readersPackage from '../src/readers.js';
+import { games } from './game_helpers.js';
 import { firma, readers } from './helpers.js';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -54,11 +56,13 @@ test('types name what there is, and nothing else', () => {
     for (const [file, entry] of [
         ['index.d.ts', firmaPackage],
         ['readers.d.ts', readersPackage],
+        ['games.d.ts', gamesPackage],
     ]) {
         const declared = [...typesOf(file).matchAll(/^export (?:const|class|function) (\w+)/gm)].map((m) => m[1]);
+        for (const [, names] of typesOf(file).matchAll(/^export {([^}]*)} from/gm)) declared.push(...names.match(/\w+/g));
         assert.deepEqual(declared.sort(), Object.keys(entry).sort());
     }
-    const types = typesOf('index.d.ts') + typesOf('readers.d.ts');
+    const types = ['index.d.ts', 'readers.d.ts', 'games.d.ts'].map(typesOf).join('');
     const world = firma.worldFromMesh({ positions: [0, 0, 0, 4, 0, 0, 0, 4, 0], corners: [0, 1, 2] });
     const cutter = firma.crater('box', 1);
     const objects = {
@@ -71,6 +75,9 @@ test('types name what there is, and nothing else', () => {
         Chunks: world.pieces(),
         Command: firma.doorCommand(1, 0, true),
         EditLog: firma.beginLog(world),
+        Games: games,
+        Bodies: games.bodies(),
+        Parts: games.parts(),
     };
     objects.Replay = objects.EditLog.replay(world);
     objects.Job = world.startCarve(cutter, { position: [0, 0, 0] });
@@ -86,8 +93,8 @@ test('types name what there is, and nothing else', () => {
 test('the package has its files, and the lock names no host', () => {
     const result = spawnSync('npm', ['pack', '--dry-run', '--json'], { cwd: root, encoding: 'utf8' });
     const files = JSON.parse(result.stdout)[0].files.map((file) => file.path);
-    const code = ['index', 'readers', 'layout'].map((name) => `src/${name}.js`);
-    for (const name of ['src/firma.wasm', 'src/firma_readers.wasm', ...code, 'index.d.ts', 'readers.d.ts', 'README.md', 'LICENSE', 'package.json'])
+    const code = ['index', 'readers', 'games', 'layout'].map((name) => `src/${name}.js`);
+    for (const name of ['src/firma.wasm', 'src/firma_games.wasm', 'src/firma_readers.wasm', ...code, 'index.d.ts', 'readers.d.ts', 'games.d.ts', 'README.md', 'LICENSE', 'package.json'])
         assert.ok(files.includes(name), `${name} is not in the package`);
     assert.ok(
         files.every((name) => !/^(test|tools|node_modules)\//.test(name)),

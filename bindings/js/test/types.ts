@@ -54,6 +54,28 @@ import {
     type WorldFacts,
 } from 'firma';
 import { loadReaders, type Readers } from 'firma/readers';
+import {
+    loadGames,
+    Projectiles,
+    type Bodies,
+    type Body,
+    type BodyContact,
+    type BodyId,
+    type BodyShape,
+    type Firma,
+    type FlyReport,
+    type Games,
+    type Parts,
+    type Player,
+    type PlayerMove,
+    type PlayerShape,
+    type Projectile,
+    type Scene,
+    type SceneHit,
+    type SceneOverlap,
+    type ShotEvent,
+    type StepReport,
+} from 'firma/games';
 
 const firma = await loadFirma();
 await loadFirma('firma.wasm');
@@ -326,3 +348,58 @@ export const used = [
     manyHits,
     statuses,
 ];
+
+// ---- games
+
+const games: Games = await loadGames();
+await loadGames(fetch('firma_games.wasm'), { readers: new URL('http://localhost/firma_readers.wasm') });
+const alsoFirma: Firma = games;
+await loadReaders(games);
+const level3: World = await games.worldFromObj('v 0 0 0');
+const heavy: Mass = games.massOfBox([1, 1, 1], 1000);
+const ballShape: BodyShape = games.bodyShape([0, 0, 0, 1], games.massOfBall(1, 1000));
+games.bodyShape(new Float32Array(4), heavy).release();
+const bodies: Bodies = games.bodies();
+const bodyId: BodyId = bodies.add(ballShape, { position: [0, 0, 1] });
+const chunkId: bigint = bodies.addChunk(level3.pieces(), 0, { maxSpheres: 12, maxError: 0.1, margin: 0 });
+const state: Body = bodies.get(bodyId);
+bodies.set(chunkId, { ...state, velocity: Float64Array.of(1, 2, 3) });
+bodies.push(bodyId, [0, 0, 1], state.position);
+const ids: BodyId[] = bodies.list();
+const where: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
+const parts: Parts = games.parts();
+const lift: number = parts.add({ world: level3, mask: 1, motion: { position: [0, 0, 0], path: [0, 0, 1] } });
+parts.set(lift, { world: level3 });
+parts.setMotions([{ turn: [0, 0, 1] }]);
+const scene: Scene = { world: level3, parts, from: 0, to: 1 };
+const stepped: StepReport = bodies.step(scene, 1 / 60, { gravity: [0, 0, -1], substepsASecond: 240 });
+bodies.step(level3, 1 / 60);
+const pressed: BodyContact[] = bodies.contacts();
+const other: bigint | null = pressed[0]?.other ?? null;
+const sceneHit: SceneHit = games.castScene(scene, { ...pill, path: [0, 0, 1] }, { mask: 1 });
+const partOf: number | null = sceneHit.part;
+const sceneAny: boolean = games.castSceneAny(level3, { ...pill, path: [0, 0, 1] });
+const overlapped: SceneOverlap[] = games.overlapScene(scene, pill, { fraction: 0.5 });
+const capsule: PlayerShape = games.playerCapsule({ radius: 0.3, height: 1.8 });
+games.playerBox().release();
+games.playerSpheres([0, 0, 1, 1], [0, 0, 0.5, 0.5], [0, 0, 1]).release();
+const moved: PlayerMove = games.movePlayer(scene, capsule, { position: [0, 0, 0] }, { velocity: [1, 0, 0], jump: true }, 1 / 60);
+const player: Player = games.movePlayer(level3, capsule, moved.player, undefined, 1 / 60, { maxSlope: 0.8 }).player;
+const fits: boolean = games.playerFits(level3, capsule, player.position, { crouched: true });
+const shots = new Projectiles();
+const shotIndex: number = shots.add({ position: [0, 0, 0], velocity: [100, 0, 0] });
+const shot: Projectile = shots.get(shotIndex);
+const flown: FlyReport = games.fly(shots, level3, 1 / 60, { bodies, matters: [{ resistance: 1000 }], ofBodies: {} });
+const events: ShotEvent[] = flown.events;
+const shotHash: bigint = games.hashProjectiles(shots.copy());
+// @ts-expect-error no such member
+bodies.step(level3, 1 / 60, { substeps: 4 });
+// @ts-expect-error a name of a body is a BigInt
+bodies.get(0);
+// @ts-expect-error nothing that moves is of the main entry
+firma.bodies();
+// @ts-expect-error no such wish
+games.movePlayer(level3, capsule, player, { run: true }, 1 / 60);
+// @ts-expect-error a state that is none
+shots.add({ state: 'gone' });
+export { alsoFirma, ids, where, stepped, other, partOf, sceneAny, overlapped, fits, shot, events, shotHash };

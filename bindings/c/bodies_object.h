@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Bodies behind a handle.
+#pragma once
+
+#include <utility>
+
+#include "bindings/c/calls.h"
+#include "bindings/c/handles.h"
+#include "firma/bodies.h"
+
+namespace firma::c {
+
+struct BodiesObject final : Object {
+    static constexpr Kind kKind = Kind::kBodies;
+    static constexpr const char* kNoun = "list of bodies";
+    BodiesObject() = default;
+    explicit BodiesObject(Bodies of) : bodies(std::move(of)) {}
+    Bodies bodies;
+    bool broken = false;  ///< memory ran out within a step
+};
+
+/// Those of a handle; null with the code of why not.
+inline BodiesObject* find_bodies(firma_bodies bodies, firma_code& code, const char* function) {
+    BodiesObject* const object = find<BodiesObject>(bodies.id, function);
+    code = FIRMA_ERROR_BAD_HANDLE;
+    if (!object || !object->broken) return object;
+    code = fail(FIRMA_ERROR_NO_MEMORY, function, "memory ran out in an earlier step of these bodies: they are lost");
+    return nullptr;
+}
+
+inline BodyId id_of(firma_body_id id) {
+    return {id.slot, id.use};
+}
+
+inline constexpr const char* kNoSuchBody = "there is no such body any more";
+
+/// How spheres are fitted, as a caller has it; null gives the defaults.
+firma_code read_fit(const firma_fit_options* given, FitOptions& fit, const char* function);
+
+}  // namespace firma::c

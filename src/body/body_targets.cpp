@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Rays against bodies.
+#include "body/body_targets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/body_shape.h"
+#include "body/mover.h"
+#include "geometry/rounding.h"
+#include "index/sweep_box.h"
+#include "world/sweep_world.h"
+
+namespace firma {
+namespace {
+
+/// On the surface grid, outward; cut off at the rim of the world.
+GridBox grid_box_around(const Vec3& centre, double reach) {
+    const auto step = [](double at) { return std::int32_t(std::clamp(at, double(INT32_MIN), double(INT32_MAX))); };
+    GridBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = step(std::floor((centre[axis] - reach) * kSurfaceSteps) - 1);
+        box.high[axis] = step(std::ceil((centre[axis] + reach) * kSurfaceSteps) + 1);
+    }
+    return box;
+}
+
+/// The least t in [0, 1] at which |w + t d| is at most r and falls; beyond 1 if there is none.
+double first_in_ball(const Vec3& w, const Vec3& d, double r) {
+    const double c = dot(w, w) - r * r, b = dot(w, d), a = dot(d, d);
+    if (!(b < 0)) return 2;
+    if (c <= 0) return 0;
+    const double root = b * b - a * c;
+    return root < 0 ? 2 : c / (-b + std::sqrt(root));
+}
+
+}  // namespace
+
+BodyTargets::BodyTargets(const Bodies& bodies) {
+    std::vector<GridBox> boxes;
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        const Body& body = bodies.slots[slot];
+        if (!body.shape.valid() || !is_finite(body.position)) continue;
+        targets_.push_back({body.position, matrix_of(principal_rotation(body)), &body, slot});
+        boxes.push_back(grid_box_around(body.position, body.shape.reach() * (1 + rounding(64))));
+    }
+    tree_ = BoxTree(boxes);
+}
+
+BodyMet BodyTargets::first(const Ray& ray, std::uint32_t mask) const {
+    BodyMet met;
+    Sweep sweep;
+    if (make_sweep({ray.start, 0}, ray.path, sweep) != Status::kHit) return met;
+    const SweepBox boxes(sweep);
+    const auto meets = [&](const GridBox& box) {
+        const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+        double nearest;
+        return boxes.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, sweep.end, nearest);
+    };
+    tree_.for_each_where(meets, [&](std::uint32_t number) {
+        const Target& target = targets_[number];
+        if (!(target.body->mask & mask)) return false;
+        for (const Sphere& sphere : target.body->shape.data().spheres) {
+            const Vec3 centre = target.position + target.matrix * sphere.centre;
+            const double t = first_in_ball(ray.start - centre, ray.path, sphere.radius);
+            if (t > 1 || t > met.fraction || (t == met.fraction && target.slot >= met.slot)) continue;
+            const Vec3 apart = ray.start + ray.path * t - centre;
+            const double distance = length(apart);
+            met = {t, target.slot, ray.start + ray.path * t,
+                   distance > 0 ? apart * (1 / distance) : ray.path * (-1 / length(ray.path))};
+        }
+        return false;
+    });
+    return met;
+}
+
+}  // namespace firma

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Parts in a step, and sets of spheres on their way among them.
+#include "body/step_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/hasher.h"
+#include "cast/sweep.h"
+#include "moving/arc.h"
+
+namespace firma {
+namespace {
+
+/// As far as any point of a box is from the origin of its frame.
+double radius_of(const Box& box) {
+    if (box.empty()) return 0;
+    Vec3 far;
+    for (int axis = 0; axis < 3; ++axis) far[axis] = std::max(std::fabs(box.low[axis]), std::fabs(box.high[axis]));
+    return length(far);
+}
+
+std::uint64_t hash_of(const StepPart& part) {
+    Hasher hash;
+    hash.add(hash_world(part.part.world()));
+    for (int axis = 0; axis < 3; ++axis) hash.add(part.motion.position[axis]);
+    for (const double number : part.motion.rotation) hash.add(number);
+    hash.add(part.part.mask);
+    return hash.value();
+}
+
+/// Where the stretch is from one fraction of the step to another.
+Scene between(const Scene& stretch, double from, double to) {
+    const double wide = stretch.to - stretch.from, end = std::min(stretch.from + wide * to, stretch.to);
+    return {stretch.world, stretch.parts, std::min(stretch.from + wide * from, end), end};
+}
+
+}  // namespace
+
+bool StepPart::may_meet(const Vec3& centre, double reach) const {
+    Box box = part.bounds();
+    if (box.empty()) return false;
+    const double more = (reach + way) * (1 + 0x1p-30) + 0x1p-16;
+    const Vec3 there = frame.in(centre);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(there[axis] >= box.low[axis] - more && there[axis] <= box.high[axis] + more)) return false;
+    return true;
+}
+
+StepParts::StepParts(const Scene& scene, double seconds) : from_(scene.from), to_(scene.to), seconds_(seconds) {
+    parts_.reserve(scene.parts.size());
+    for (const MovingPart& part : scene.parts) {
+        const RigidMotion motion = motion_between(part.motion, from_, to_);
+        const double rate = 1 / seconds;
+        StepPart now{part, motion, PartFrame(motion, 0), motion.path * rate, motion.turn * rate};
+        now.way = length(motion.path) + length(motion.turn) * radius_of(part.bounds());
+        now.moves = !(motion.path == Vec3{}) || turns(motion);
+        parts_.push_back(now);
+    }
+}
+
+void StepParts::compare(std::vector<std::uint64_t>& hashes) {
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const std::uint64_t hash = hash_of(parts_[k]);
+        parts_[k].changed = parts_[k].moves || k >= hashes.size() || hashes[k] != hash;
+        if (k < hashes.size())
+            hashes[k] = hash;
+        else
+            hashes.push_back(hash);
+    }
+    hashes.resize(parts_.size());
+}
+
+SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from,
+                               std::uint32_t left_out, const CastOptions& options) const {
+    SetPartHit first;
+    double reach = 0;
+    for (const Sphere& sphere : spheres) reach = std::max(reach, length(sphere.centre) + sphere.radius);
+    const TurnMatrix rotation = matrix_of(normalised(motion.rotation));
+    const TurnRate rate(motion.turn);
+    for (std::uint32_t number = 0; number < parts_.size(); ++number) {
+        const StepPart& part = parts_[number];
+        if (number == left_out || !(part.part.mask & options.mask)) continue;
+        if (!part.may_meet(motion.position, reach + length(motion.path))) continue;
+        const Scene stretch = between({nothing_, {&part.part, 1}, from_, to_}, from, 1);
+        for (std::uint32_t k = 0; k < spheres.size(); ++k) {
+            const Arc arc(motion.position, motion.path, rate, rotation * spheres[k].centre);
+            const Hit hit = cast_sphere(number, arc, spheres[k].radius, stretch, 0, first.fraction, options);
+            if (!hit.touched() || (first.touched() && !(hit.fraction < first.fraction))) continue;
+            static_cast<Hit&>(first) = hit;
+            first.sphere = k;
+            first.part = number;
+            const double at = from + hit.fraction * (1 - from);
+            const Vec3 surface = part.velocity_of(hit.point, at * seconds_) * (seconds_ * (1 - from));
+            const double speed = dot(surface - arc.velocity_at(hit.fraction), hit.normal);
+            const double back = speed > 0 ? options.contact_offset / speed : 1;
+            first.safe_fraction = back < hit.fraction ? hit.fraction - back : 0;
+            if (first.fraction == 0) return first;
+        }
+    }
+    return first;
+}
+
+/// Arcs as cast() of a set and a world takes them: by chords, thicker by as much as these are off.
+/// @param stretch  of the scene, for all of the arc
+Hit StepParts::cast_sphere(std::uint32_t number, const Arc& arc, double radius, const Scene& stretch, double from,
+                           double to, const CastOptions& options) const {
+    const double bulge = arc.bulge(from, to);
+    const Vec3 start = arc.at(from), path = arc.at(to) - start;
+    if (bulge > kMaxBulge) {
+        if (!parts_[number].may_meet(start, radius + bulge + length(path))) return {};
+        const double middle = (from + to) * 0.5;
+        const Hit first = cast_sphere(number, arc, radius, stretch, from, middle, options);
+        return first.status != Status::kMiss ? first : cast_sphere(number, arc, radius, stretch, middle, to, options);
+    }
+    Hit hit = cast(between(stretch, from, to), Sphere{start, radius + bulge}, path, options);
+    if (!hit.touched()) return hit;
+    hit.fraction = from + hit.fraction * (to - from);
+    hit.status = hit.fraction > 0 ? Status::kHit : Status::kInitialOverlap;
+    return hit;
+}
+
+RigidMotion StepParts::carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation,
+                               double from) const {
+    const RigidMotion& motion = parts_[part].motion;
+    const Vec3 end = PartFrame(motion, 1).out(PartFrame(motion, from).in(position));
+    return {position, rotation, end - position, motion.turn * (1 - from)};
+}
+
+}  // namespace firma

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Spheres of a body that begins where the world may reach into it.
+#pragma once
+
+#include <cstdint>
+
+#include "firma/cutter.h"
+#include "firma/sphere_set.h"
+#include "firma/world.h"
+
+namespace firma {
+
+/// What is left of spheres clear of the world: smaller, or fewer.
+/// @param pose  of their frame
+SphereSet clear_spheres(const World& world, const SphereSet& spheres, const Pose& pose, std::uint32_t mask);
+
+}  // namespace firma

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// A blast in one call: crater, loose pieces, debris that breaks, pushes.
+#include <algorithm>
+#include <utility>
+
+#include "base/random.h"
+#include "fracture/piece_of_chunk.h"
+#include "fracture/piece_spheres.h"
+
+namespace firma {
+namespace {
+
+class Explosion {
+public:
+    Explosion(Bodies& bodies, Debris& debris, const Blast& blast, const BlastOptions& options)
+        : bodies_(bodies), debris_(debris), blast_(blast), options_(options) {
+        options_.max_spheres = std::clamp<std::size_t>(options_.max_spheres, 1, kMaxSpheres);
+        for (std::uint32_t slot = 0; slot < debris.slots.size(); ++slot)
+            if (debris.find(bodies, {slot, debris.slots[slot].use})) before_.push_back({slot, debris.slots[slot].use});
+    }
+
+    void carve_world(const World& world, const Cutter& crater, const Pose& pose) {
+        if (crater.valid()) {
+            result_.carve = carve(world, crater, pose, options_.carve);
+        } else {
+            result_.carve.status = CarveStatus::kNothing;
+            result_.carve.world = world;
+        }
+        for (const Chunk& chunk : result_.carve.chunks) {
+            const std::optional<BodyId> id = add_chunk(chunk);
+            if (!id)
+                ++result_.unfit;
+            else if (!is_near(*id) || !break_body(*id, result_.loose))
+                result_.loose.push_back(*id);
+        }
+    }
+
+    /// Of what was there before.
+    void break_debris() {
+        for (const BodyId id : before_)
+            if (is_near(id) && is_seen(id) && debris_.find(bodies_, id)->broken < options_.max_broken)
+                break_body(id, result_.pieces);
+    }
+
+    BlastResult finish() {
+        result_.push = blast_push(result_.carve.world, bodies_, blast_, options_.push);
+        return std::move(result_);
+    }
+
+private:
+    std::optional<BodyId> add_chunk(const Chunk& chunk) {
+        const SphereSet spheres = piece_spheres(chunk.solid, options_.max_spheres);
+        const Result<BodyShape> shape = make_body_shape(spheres, chunk.mass);
+        if (!shape) return std::nullopt;
+        Pose pose;
+        pose.position = chunk.origin;
+        return add_debris(bodies_, debris_, body_at(shape.value(), pose), piece_of_chunk(chunk));
+    }
+
+    std::vector<Sphere> spheres_of(BodyId id) const {
+        const Body& body = *bodies_.find(id);
+        const Pose pose = pose_of(body);
+        const TurnMatrix turn = matrix_of(pose.rotation);
+        std::vector<Sphere> spheres;
+        for (const Sphere& sphere : body.shape.spheres())
+            spheres.push_back({pose.position + turn * sphere.centre, sphere.radius});
+        return spheres;
+    }
+
+    bool is_near(BodyId id) const {
+        const Body& body = *bodies_.find(id);
+        if (!(length(body.position - blast_.at) < options_.break_radius + body.shape.reach())) return false;
+        for (const Sphere& sphere : spheres_of(id))
+            if (length(sphere.centre - blast_.at) < options_.break_radius + sphere.radius) return true;
+        return false;
+    }
+
+    bool is_seen(BodyId id) const {
+        return exposure(result_.carve.world, blast_.at, spheres_of(id), options_.push.mask) > 0;
+    }
+
+    /// @return false where it stays whole
+    bool break_body(BodyId id, std::vector<BodyId>& to) {
+        const DebrisPiece& piece = *debris_.find(bodies_, id);
+        const World& world = result_.carve.world;
+        ShatterOptions options;
+        options.max_spheres = options_.max_spheres;
+        options.world = &world;
+        options.fracture.impact = blast_.at;
+        options.fracture.max_pieces = options_.max_pieces;
+        options.fracture.min_volume = options_.min_volume;
+        options.fracture.seed = mix_bits(options_.seed + tried_++);
+        options.fracture.material = crack_material(world, piece.matter).value_or(0);
+        const FracturePattern pattern = fracture_pattern(matter(world, piece.matter));
+        const Result<Shattered> broken = shatter(bodies_, debris_, id, pattern, options);
+        if (!broken || broken.value().cracks == 0) return false;
+        ++result_.broken;
+        result_.dust += broken.value().dust;
+        result_.dust_mass += broken.value().dust_mass;
+        const std::vector<BodyId>& pieces = broken.value().pieces;
+        to.insert(to.end(), pieces.begin(), pieces.end());
+        return true;
+    }
+
+    Bodies& bodies_;
+    Debris& debris_;
+    const Blast& blast_;
+    BlastOptions options_;
+    std::vector<BodyId> before_;
+    std::uint64_t tried_ = 0;
+    BlastResult result_;
+};
+
+}  // namespace
+
+BlastResult explode(const World& world, Bodies& bodies, Debris& debris, const Blast& blast, const Cutter& crater,
+                    const Pose& pose, const BlastOptions& options) {
+    Explosion explosion(bodies, debris, blast, options);
+    explosion.carve_world(world, crater, pose);
+    explosion.break_debris();
+    return explosion.finish();
+}
+
+}  // namespace firma

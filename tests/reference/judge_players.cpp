@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// A player in a level that changes around it, judged frame by frame.
+#include "tests/reference/judge_players.h"
+
+#include <cmath>
+#include <ctime>
+#include <deque>
+#include <vector>
+
+#include "firma/carve.h"
+#include "firma/rooms.h"
+#include "player/player_shape.h"
+#include "scenes/level_cuts.h"
+#include "scenes/rng.h"
+#include "tests/reference/rooms_outside.h"
+
+namespace firma::reference {
+namespace {
+
+constexpr std::size_t kMaxPast = 8;    // worlds that may come back
+constexpr double kEveryEvent = 2;      // seconds between changes of the world, about
+constexpr double kEveryLife = 30;      // seconds after which the player begins elsewhere, about
+constexpr double kNear = 6;            // metres: changes are made around the player
+constexpr double kFreeWay = 0.1;       // metres
+constexpr double kMostPushed = 0.012;  // metres: eight slides that back off by the contact offset each, and four more
+constexpr double kFastest = 10;        // metres a second that are wished
+
+class PlayerGame {
+public:
+    PlayerGame(const World& level, const PlayerShape& shape, const PlayerRun& run)
+        : level_(with_anchors(level)),
+          world_(level_),
+          shape_(shape),
+          run_(run),
+          rng_(run.seed),
+          outside_(rooms_outside(world_)) {
+        walls_ = scenes::cut_places(level).inside;
+    }
+
+    PlayerVerdict play() {
+        begin_somewhere();
+        for (; verdict_.frames < run_.frames && verdict_.fault.empty(); ++verdict_.frames) {
+            if (rng_.chance(1 / (kEveryEvent * run_.rate))) change_world();
+            if (rng_.chance(1 / (kEveryLife * run_.rate))) begin_somewhere();
+            if (rng_.chance(1 / run_.rate)) wish_anew();
+            move();
+            if (verdict_.frames % 60 == 59 && verdict_.fault.empty() && !player_.stuck) try_ways();
+        }
+        return verdict_;
+    }
+
+private:
+    void fail(const std::string& what) {
+        if (!verdict_.fault.empty()) return;
+        verdict_.fault = "frame " + std::to_string(verdict_.frames) + " at " + std::to_string(player_.position.x) +
+                         ' ' + std::to_string(player_.position.y) + ' ' + std::to_string(player_.position.z) + ": " +
+                         what;
+    }
+
+    bool is_inside(const Vec3& feet) const {
+        const Location at = locate(world_, feet + shape_.up() * (shape_.height(player_.crouched) * 0.5));
+        return at.where == Where::kAir && !outside_[at.room.value];
+    }
+
+    void begin_somewhere() {
+        player_ = {};
+        for (;;) {
+            const LevelFace& face = walls_.faces[rng_.below(std::uint32_t(walls_.faces.size()))];
+            const auto corner = [&](std::uint32_t k) {
+                return to_metres(walls_.vertices[walls_.corners[face.first_corner + k]]);
+            };
+            const Vec3 a = corner(0), b = corner(1), c = corner(2), out = cross(b - a, c - a);
+            const double i = rng_.uniform(0, 1), j = rng_.uniform(0, 1 - i), far = rng_.uniform(0.1, 2);
+            player_.position = a + (b - a) * i + (c - a) * j + out * (far / length(out));
+            if (is_inside(player_.position) && player_fits(world_, shape_, player_.position)) return;
+        }
+    }
+
+    void wish_anew() {
+        wish_ = {};
+        if (rng_.chance(0.1)) return;
+        Vec3 way = rng_.direction();
+        way.z = 0;
+        wish_.velocity = way * rng_.uniform(0, kFastest);
+        wish_.jump = rng_.chance(0.3);
+        wish_.crouch = rng_.chance(0.2);
+        wish_.careful = rng_.chance(0.2);
+    }
+
+    void put(World world) {
+        past_.push_back(world_);
+        if (past_.size() > kMaxPast) past_.pop_front();
+        world_ = std::move(world);
+        outside_ = rooms_outside(world_);
+    }
+
+    void change_world() {
+        const std::uint32_t kind = rng_.below(10);
+        if (kind < 5) return cut();
+        if (kind < 7) return fill_near();
+        if (kind < 8) return toggle_door();
+        if (past_.empty()) return;
+        ++verdict_.undone;
+        if (kind == 8) return put(past_[rng_.below(std::uint32_t(past_.size()))]);
+        put(level_);
+    }
+
+    Pose near_pose(const Vec3& at, double least, double most) {
+        Pose pose;
+        pose.position = at;
+        pose.scale = rng_.uniform(least, most);
+        return pose;
+    }
+
+    void cut() {
+        const Vec3 from = player_.position + shape_.up() * (shape_.height() * 0.5);
+        const Hit hit = cast(world_, Ray{from, rng_.direction() * kNear});
+        if (!hit) return;
+        const auto shape = CutterShape(rng_.below(2));
+        const CarveResult made = carve(world_, make_crater(shape, rng_.next()), near_pose(hit.point, 0.3, 2));
+        if (!made.done() || opens_way_out(world_, made.world)) return;
+        ++verdict_.cuts;
+        put(made.world);
+    }
+
+    void fill_near() {
+        const Vec3 at = player_.position + rng_.direction() * rng_.uniform(0, 2);
+        const CarveResult made =
+            fill(world_, make_crater(CutterShape(rng_.below(2)), rng_.next()), near_pose(at, 0.2, 1.5));
+        if (!made.done()) return;
+        ++verdict_.fills;
+        put(made.world);
+    }
+
+    void toggle_door() {
+        if (portal_count(world_) == 0) return;
+        const PortalId portal{rng_.below(std::uint32_t(portal_count(world_)))};
+        const std::optional<PortalInfo> info = portal_info(world_, portal);
+        const std::optional<World> changed = set_portal_open(world_, portal, !info->open);
+        if (!changed) return;
+        ++verdict_.doors;
+        put(*changed);
+    }
+
+    void move() {
+        const Player before = player_;
+        const std::clock_t start = std::clock();
+        const PlayerMove moved = move_player(world_, shape_, before, wish_, 1 / run_.rate, rules_);
+        verdict_.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
+        player_ = moved.player;
+        verdict_.jumps += moved.jumped;
+        verdict_.steps += moved.stepped;
+        verdict_.landings += moved.landed_speed > 0;
+        verdict_.pushed += length(moved.pushed) > 0.01;
+        if (!moved.valid) return fail("refused");
+        if (player_.stuck) {
+            verdict_.stuck += !before.stuck;
+            if (!(player_.position == before.position)) fail("stuck and moved");
+            return;
+        }
+        if (!is_inside(player_.position)) return fail("out of the level, or in solid");
+        if (overlaps_solid()) return fail("overlaps");
+        const Vec3 way = player_.position - before.position - moved.pushed;
+        const double far = std::hypot(way.x, way.y);
+        verdict_.travelled += far;
+        // What is moved out of what came may have to come down again.
+        const bool walked = before.on_ground && player_.on_ground && !moved.jumped && !(moved.landed_speed > 0);
+        double had = std::hypot(before.velocity.x, before.velocity.y);
+        if (!walked) {  // slopes and ceilings turn what it rises and falls by sideways
+            had = length(before.velocity) + (rules_.gravity + rules_.air_acceleration) / run_.rate;
+            if (moved.jumped) had += rules_.jump_speed;
+        }
+        const double asked = std::max(std::hypot(wish_.velocity.x, wish_.velocity.y), had) / run_.rate;
+        const bool same_world = !before.stuck && before.world_hash == player_.world_hash;
+        if (same_world && length(moved.pushed) > kMostPushed)
+            fail("was pushed by " + std::to_string(length(moved.pushed)) + " m by nothing that came");
+        if (far > asked * (1 + 1e-9) + 1e-9 + (moved.stepped ? 2 * world_.tolerance().contact_offset : 0))
+            fail("went " + std::to_string(far) + " m sideways where " + std::to_string(asked) + " were asked");
+    }
+
+    /// Deeper than rounding, in front of it. What is castable only is left by the way it was come upon: from behind.
+    bool overlaps_solid() const {
+        constexpr double kRounding = 1e-9;  // metres
+        const Posture& posture = shape_.data().postures[player_.crouched];
+        const Vec3 feet = player_.position, middle = feet + posture.middle;
+        bool any = false;
+        const auto look = [&](const Overlap& overlap) {
+            const std::optional<FaceInfo> face = world_.face_info(overlap.face);
+            const bool in_front = !face || dot(middle - overlap.point, face->normal) > 0;
+            any |= (!face || face->solid) && in_front && overlap.depth > kRounding;
+            return true;
+        };
+        const Capsule& capsule = posture.capsule;
+        switch (shape_.data().kind) {
+            case PlayerShapeData::Kind::kCapsule:
+                overlap_each(world_, Capsule{capsule.from + feet, capsule.to + feet, capsule.radius}, look);
+                break;
+            case PlayerShapeData::Kind::kBox:
+                overlap_each(world_, posture.box, middle, look);
+                break;
+            case PlayerShapeData::Kind::kSpheres:
+                for (const Sphere& sphere : posture.spheres)
+                    overlap_each(world_, Sphere{sphere.centre + feet, sphere.radius}, look);
+        }
+        return any;
+    }
+
+    /// Where a way is free for a bit, a second of walking leads there, or somewhere.
+    void try_ways() {
+        if (!player_.on_ground) return;
+        const Vec3 raised = player_.position + shape_.up() * (2 * world_.tolerance().contact_offset);
+        Vec3 way = rng_.direction();
+        way.z = 0;
+        if (length(way) < 0.1) return;
+        way *= 1 / length(way);
+        Player walker = player_;
+        for (const Vec3& step : {way * kFreeWay}) {
+            walker.position = raised + step;
+            if (!player_fits(world_, shape_, walker.position, walker.crouched)) return;
+            if (cast_free(raised, step) < 1) return;
+        }
+        ++verdict_.tried;
+        walker = player_;
+        double farthest = 0;
+        for (int k = 0; k < int(run_.rate); ++k) {
+            PlayerWish wish;
+            wish.velocity = way * 2;
+            wish.crouch = player_.crouched;
+            walker = move_player(world_, shape_, walker, wish, 1 / run_.rate, rules_).player;
+            farthest = std::max(farthest, length(walker.position - player_.position));
+        }
+        if (farthest < kFreeWay * 0.5)
+            fail("held, where " + std::to_string(way.x) + ' ' + std::to_string(way.y) + " is free");
+    }
+
+    double cast_free(const Vec3& feet, const Vec3& path) const {
+        for (int k = 1; k <= 16; ++k)
+            if (!player_fits(world_, shape_, feet + path * (k / 16.0), player_.crouched)) return 0;
+        return 1;
+    }
+
+    const World level_;
+    World world_;
+    const PlayerShape& shape_;
+    const PlayerRun& run_;
+    const PlayerRules rules_;
+    scenes::Rng rng_;
+    Level walls_;
+    std::vector<bool> outside_;
+    std::deque<World> past_;
+    Player player_;
+    PlayerWish wish_;
+    PlayerVerdict verdict_;
+};
+
+}  // namespace
+
+PlayerVerdict judge_player(const World& level, const PlayerShape& shape, const PlayerRun& run) {
+    return PlayerGame(level, shape, run).play();
+}
+
+}  // namespace firma::reference
