@@ -198,11 +198,8 @@ def levels(what):
     return command
 
 
-# Folders of which no test takes long under the sanitizers (tests/heavy_sanitized.txt names none): ./test runs them all there,
-# and the claim runs none. tests/tools/test_full.py looks.
-QUICK_TESTS = ['tests/body']
 SANITIZED_SOURCES = ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', ':(exclude)tests/tools', 'CMakeLists.txt',
-                     'CMakePresets.json', 'cmake'] + [f':(exclude){folder}/test_*.cpp' for folder in QUICK_TESTS]
+                     'CMakePresets.json', 'cmake']
 SHARES_OF_CPP = 2  # shares before the first of the command line
 
 

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: MIT
 """test_full.py ROOT: which lines of tools/full.py count, which make a claim fail, and which seed comes next."""
 import contextlib
-import glob
 import importlib.util
 import io
 import os
-import re
 import sys
 import tempfile
 import unittest
@@ -105,24 +103,6 @@ class Lines(unittest.TestCase):
         self.code = 'import os; os.kill(os.getpid(), 15)'
         self.assertEqual(self.run_main()[0], 1)
         self.assertEqual(self.full.lines_of(self.claim), [])
-
-
-class Sources(unittest.TestCase):
-    def test_no_test_of_the_quick_folders_takes_long_under_the_sanitizers(self):
-        tests = os.path.join(ROOT, 'tests')
-        with open(os.path.join(tests, 'heavy_sanitized.txt'), encoding='utf-8') as file:
-            heavy = {name.split('.')[0].split('/')[-1] for name in file if not name.startswith('#')}
-        self.assertIn('BrushPiles', heavy)
-        with open(os.path.join(tests, 'boost_tests.txt'), encoding='utf-8') as file:
-            of_boost = file.read()  # a program that is heavy as a whole
-        for folder in load().QUICK_TESTS:
-            for path in glob.glob(os.path.join(ROOT, folder, 'test_*.cpp')):
-                with open(path, encoding='utf-8') as file:
-                    source = file.read()
-                suites = set(re.findall(r'^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),', source, re.M))
-                self.assertTrue(suites, path)
-                self.assertFalse(suites & heavy, path)
-                self.assertNotIn(os.path.basename(path), of_boost)
 
 
 if __name__ == '__main__':
