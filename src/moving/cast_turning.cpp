@@ -63,8 +63,10 @@ private:
     /// Around all places of the shape, and what is in touch with it.
     Box box_of_way(double from, double to, double bend) const {
         Box box;
-        for (const double t : {from, to})
-            for (const Vec3& corner : ShapeAt(shape_, t).corners()) box.add(corner);
+        for (const double t : {from, to}) {
+            const ShapeAt there(shape_, t);
+            for (const Vec3& corner : there.corners()) box.add(corner);
+        }
         // Between its ends an arc is off its chord by no more than |y''| (t1 - t0)^2 / 8.
         const double bulge = bend * (to - from) * (to - from) * (1.0 / 8);
         const double more = bulge + shape_.radius + 2 * kPartTouch + kPlaceRounding;
