@@ -11,6 +11,7 @@
 #include "bindings/c/bodies_object.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "bindings/c/scenes.h"
 
 namespace firma::c {
 namespace {
@@ -119,6 +120,8 @@ firma_shot_event event_told(const ShotEvent& from) {
     out.matter = from.matter;
     out.first_length = from.first_matter;
     out.length_count = from.matter_count;
+    put(from.in_part, out.in_part);
+    out.part = from.part;
     return out;
 }
 
@@ -133,22 +136,54 @@ void put_events(const ShotEvents& from, ShotEventsObject& out) {
     out.lengths.swap(lengths);
 }
 
-/// What firma_fly() does with what it was given: all of it looked up and good.
+/// What projectiles fly among: looked up and good.
 struct FlightThere {
-    const World* world = nullptr;
     BodiesObject* bodies = nullptr;
     ShotEventsObject* events = nullptr;
 
-    firma_code find_all(firma_world level, firma_bodies of, firma_shot_events into, const char* function) {
-        const WorldObject* const object = find<WorldObject>(level.id, function);
-        if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        world = &object->world;
+    firma_code find_all(firma_bodies of, firma_shot_events into, const char* function) {
         firma_code code = FIRMA_OK;
         if (of.id != 0 && !(bodies = find_bodies(of, code, function))) return code;
         if (into.id != 0 && !(events = find<ShotEventsObject>(into.id, function))) return FIRMA_ERROR_BAD_HANDLE;
         return FIRMA_OK;
     }
 };
+
+/// The projectiles of one call.
+struct ShotsThere {
+    firma_projectile* projectiles = nullptr;
+    std::size_t count = 0;
+};
+
+/// @param read_scene  fills the scene
+template <class ReadScene>
+firma_code fly_among(const ShotsThere& shots, const ReadScene& read_scene, firma_bodies bodies, double seconds,
+                     const firma_fly_options* options, firma_shot_events events, firma_fly_report* report,
+                     const char* function) {
+    if (report && !sized(report)) return bad_call(function, kWrongSize);
+    FlyThere chosen;
+    if (const firma_code code = chosen.read(options, function)) return code;
+    if (!(seconds > 0 && seconds <= kMaxFlightSeconds))
+        return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the seconds are not above zero and at most 1");
+    SceneThere scene;
+    if (const firma_code code = read_scene(scene)) return code;
+    FlightThere there;
+    if (const firma_code code = there.find_all(bodies, events, function)) return code;
+    std::vector<Projectile> all;
+    if (const firma_code code = read_projectiles(shots.projectiles, shots.count, all, function)) return code;
+    const Tasks tasks = batch_tasks();
+    if (tasks.run) chosen.options.tasks = &tasks;
+    ShotEvents happened;
+    if (there.bodies) there.bodies->broken = true;  // unless it comes back
+    const Result<FlyReport> flown =
+        fly(all, scene.scene(), seconds, happened, chosen.options, there.bodies ? &there.bodies->bodies : nullptr);
+    if (flown && there.events) put_events(happened, *there.events);
+    if (there.bodies) there.bodies->broken = false;
+    if (!flown) return fail(flown.error());
+    for (std::size_t k = 0; k < shots.count; ++k) shots.projectiles[k] = projectile_told(all[k]);
+    if (report) put_sized({0, 0, flown.value().flying, flown.value().chords, flown.value().impacts}, report);
+    return FIRMA_OK;
+}
 
 }  // namespace
 }  // namespace firma::c
@@ -207,27 +242,26 @@ firma_code firma_fly(firma_projectile* projectiles, size_t count, firma_world wo
                      double seconds, const firma_fly_options* options, firma_shot_events events,
                      firma_fly_report* report) {
     return guarded(__func__, [&, function = __func__] {
-        if (report && !sized(report)) return bad_call(function, kWrongSize);
-        FlyThere chosen;
-        if (const firma_code code = chosen.read(options, function)) return code;
-        if (!(seconds > 0 && seconds <= kMaxFlightSeconds))
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the seconds are not above zero and at most 1");
-        FlightThere there;
-        if (const firma_code code = there.find_all(world, bodies, events, function)) return code;
-        std::vector<Projectile> all;
-        if (const firma_code code = read_projectiles(projectiles, count, all, function)) return code;
-        const Tasks tasks = batch_tasks();
-        if (tasks.run) chosen.options.tasks = &tasks;
-        ShotEvents happened;
-        if (there.bodies) there.bodies->broken = true;  // unless it comes back
-        const Result<FlyReport> flown =
-            fly(all, *there.world, seconds, happened, chosen.options, there.bodies ? &there.bodies->bodies : nullptr);
-        if (flown && there.events) put_events(happened, *there.events);
-        if (there.bodies) there.bodies->broken = false;
-        if (!flown) return fail(flown.error());
-        for (std::size_t k = 0; k < count; ++k) projectiles[k] = projectile_told(all[k]);
-        if (report) put_sized({0, 0, flown.value().flying, flown.value().chords, flown.value().impacts}, report);
-        return FIRMA_OK;
+        const auto read_scene = [&](SceneThere& there) {
+            const WorldObject* const object = find<WorldObject>(world.id, function);
+            if (!object) return FIRMA_ERROR_BAD_HANDLE;
+            there.world = &object->world;
+            return FIRMA_OK;
+        };
+        return fly_among({projectiles, count}, read_scene, bodies, seconds, options, events, report, function);
+    });
+}
+
+firma_code firma_fly_scene(firma_projectile* projectiles, size_t count, const firma_scene* scene, firma_bodies bodies,
+                           double seconds, const firma_fly_options* options, firma_shot_events events,
+                           firma_fly_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        const auto read_scene = [&](SceneThere& there) {
+            if (const firma_code code = there.read(scene, function)) return code;
+            if (there.has_stretch()) return FIRMA_OK;
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the scene's stretch is not within 0..1");
+        };
+        return fly_among({projectiles, count}, read_scene, bodies, seconds, options, events, report, function);
     });
 }
 

@@ -1677,7 +1677,8 @@ FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
 
 typedef enum firma_projectile_state {
     FIRMA_PROJECTILE_FLYING = 0,
-    FIRMA_PROJECTILE_STOPPED = 1, /* at a face, in solid or at a body: its velocity is zero */
+    FIRMA_PROJECTILE_STOPPED = 1, /* at a face, in solid, at a body or a part: its velocity is zero, but for a
+                                     part that moves: as fast as that there, as the step ends */
     FIRMA_PROJECTILE_EXPIRED = 2  /* flew longer than firma_fly_options.max_age, or out of reach: 16,384 m */
 } firma_projectile_state;
 
@@ -1688,7 +1689,7 @@ typedef struct firma_projectile {
     double mass;         /* kilograms, > 0; 0.01 */
     double age;          /* seconds that it flew */
     uint64_t world_hash; /* firma_world_hash() of the world that it flew in last; 0 before */
-    uint32_t mask;       /* faces, closed portals and bodies that share a bit are met */
+    uint32_t mask;       /* faces, closed portals, parts and bodies that share a bit are met */
     uint32_t user;       /* the caller's: no answer depends on it */
     uint32_t state;      /* firma_projectile_state */
     uint32_t reserved;   /* must be 0 */
@@ -1719,7 +1720,8 @@ typedef struct firma_fly_options {
     double pane_energy;              /* joules that it takes to go through a pane; 2^200: none does */
     firma_shot_terms other;          /* of matters beyond `matters`; firma_shot_terms_defaults() */
     firma_shot_terms bodies;         /* their resistance does not count: what does not ricochet stops; likewise */
-    const firma_shot_terms* matters; /* by number of matter of the world; may be null when the count is 0 */
+    const firma_shot_terms* matters; /* by number of matter of the world, a part's by their names in that table; may be
+                                        null when the count is 0 */
     size_t matter_count;
 } firma_fly_options;
 
@@ -1738,10 +1740,11 @@ typedef struct firma_shot_event {
     double time;           /* seconds from the start of the step */
     double point[3];       /* metres; where it stopped or left */
     double normal[3];      /* unit, of what was met, toward where it came from; of LEFT out of the solid */
-    double velocity[3];    /* metres a second, after it */
+    double velocity[3];    /* metres a second, after it; of what stopped at a part that of its surface */
     double impulse[3];     /* newton seconds that it gave to what it met */
-    double energy;         /* joules that it lost */
+    double energy;         /* joules that it lost, as the surface of what it met sees it */
     double thickness;      /* metres that it went through: of LEFT, and of STOPPED in solid */
+    double in_part[3];     /* `point` in the part's frame, metres; zero of no part */
     uint32_t kind;         /* firma_shot_event_kind */
     uint32_t projectile;   /* its index */
     uint32_t number;       /* among the events of this projectile in this step */
@@ -1753,6 +1756,8 @@ typedef struct firma_shot_event {
     uint32_t matter;       /* of the face; of LEFT the last one, of STOPPED where it stopped */
     uint32_t first_length; /* in firma_shot_view.lengths: what it went through */
     uint32_t length_count;
+    uint32_t part; /* that was met: face, material and matters are of its world; FIRMA_NO_PART: none */
+    uint32_t reserved;
 } firma_shot_event;
 
 /* A piece of a way through solid that is of one matter. */
@@ -1794,6 +1799,13 @@ typedef struct firma_fly_report {
 FIRMA_API firma_code firma_fly(firma_projectile* projectiles, size_t count, firma_world world, firma_bodies bodies,
                                double seconds, const firma_fly_options* options, firma_shot_events events,
                                firma_fly_report* report);
+/* The same among parts that go along the scene's stretch of their motions meanwhile. They are met by the velocity that
+ * their surfaces see; what stops at one goes along with it until the step ends, and its event says where it stays.
+ * Without parts the answers have the same bits. FIRMA_ERROR_OUT_OF_RANGE also for a stretch that is none,
+ * FIRMA_ERROR_INVALID for a part that goes faster than 2^60 m/s. docs/projectiles.md. */
+FIRMA_API firma_code firma_fly_scene(firma_projectile* projectiles, size_t count, const firma_scene* scene,
+                                     firma_bodies bodies, double seconds, const firma_fly_options* options,
+                                     firma_shot_events events, firma_fly_report* report);
 /* A hash of all that the next steps depend on. FIRMA_ERROR_INVALID for a state that is none. */
 FIRMA_API firma_code firma_projectiles_hash(const firma_projectile* projectiles, size_t count, uint64_t* hash);
 

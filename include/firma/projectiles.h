@@ -11,6 +11,7 @@
 #include "firma/bodies.h"
 #include "firma/export.h"
 #include "firma/hit.h"
+#include "firma/moving_parts.h"
 #include "firma/pierce.h"
 #include "firma/result.h"
 #include "firma/tasks.h"
@@ -21,7 +22,7 @@ namespace firma {
 
 enum class ProjectileState : std::uint8_t {
     kFlying,
-    kStopped,  ///< at a face, in solid or at a body: its velocity is zero
+    kStopped,  ///< at a face, in solid, at a body or a part: its velocity is zero, but for a part that moves
     kExpired,  ///< flew longer than FlyOptions::max_age, or out of reach
 };
 
@@ -31,7 +32,7 @@ struct Projectile {
     Vec3 velocity{};           ///< metres a second
     double mass = 0.01;        ///< kilograms
     double age = 0;            ///< seconds that it flew
-    std::uint32_t mask = ~0u;  ///< faces, closed portals and bodies that share a bit are met
+    std::uint32_t mask = ~0u;  ///< faces, closed portals, parts and bodies that share a bit are met
     std::uint32_t user = 0;    ///< of the game: no answer depends on it
     /// hash_world() of the world that it flew in last. In another one fly() looks whether it is in solid there.
     std::uint64_t world_hash = 0;
@@ -58,25 +59,28 @@ struct ShotImpact {
     Vec3 normal;                   ///< unit, toward where it came from
     Vec3 velocity;                 ///< metres a second, before
     double mass = 0;               ///< kilograms
-    FaceRef face;                  ///< invalid of portals and bodies
+    FaceRef face;                  ///< invalid of portals and bodies; of a part of its world
     PortalId portal;
-    BodyId body;                 ///< slot ~0u of all else
-    std::uint32_t material = 0;  ///< of the face or portal
-    bool pane = false;           ///< a face that bounds no solid, or a closed portal
+    BodyId body;                   ///< slot ~0u of all else
+    std::uint32_t material = 0;    ///< of the face or portal
+    bool pane = false;             ///< a face that bounds no solid, or a closed portal
+    std::uint32_t part = kNoPart;  ///< index into Scene::parts; `material`, like the matter, is then of its world
+    Vec3 surface;                  ///< of the part there, metres a second: what ricochets sees velocity - surface
 };
 
 struct FlyOptions {
     Vec3 gravity{0, 0, -9.81};  ///< metres a second squared
     /// Metres: no chord of the parabola is farther from it, at any time.
     double max_bow = 0.001;
-    double max_age = 10;                   ///< seconds
-    double stop_speed = 1;                 ///< metres a second: what an impact leaves slower stops there
-    int max_impacts = 8;                   ///< of one projectile in one step, 1 to 1,000: with the last one it stops
-    double max_thickness = 4;              ///< metres of a straight way through solid: what would take more stops
-    std::span<const ShotTerms> matters{};  ///< by index into the world's table of matters
-    ShotTerms other{};                     ///< of matters beyond these
-    ShotTerms bodies{};                    ///< their resistance does not count: what does not ricochet stops
-    double pane_energy = kUnpierced;       ///< joules that it takes to go through a pane
+    double max_age = 10;       ///< seconds
+    double stop_speed = 1;     ///< metres a second: what an impact leaves slower stops there
+    int max_impacts = 8;       ///< of one projectile in one step, 1 to 1,000: with the last one it stops
+    double max_thickness = 4;  ///< metres of a straight way through solid: what would take more stops
+    /// By index into the world's table of matters. Those of a part are found in that table by their names.
+    std::span<const ShotTerms> matters{};
+    ShotTerms other{};                ///< of matters beyond these
+    ShotTerms bodies{};               ///< their resistance does not count: what does not ricochet stops
+    double pane_energy = kUnpierced;  ///< joules that it takes to go through a pane
     /// In place of the tables, where given: the terms of a matter (bodies: 0) in an impact; asked once for the face,
     /// and for each matter on the way through. Called from any thread. Terms that are out of range stop the projectile.
     ShotTerms (*rule)(const ShotImpact& impact, std::uint32_t matter, void* user) = nullptr;
@@ -90,7 +94,7 @@ enum class ShotEventKind : std::uint8_t {
     kLeft,     ///< came out of it
     kPassed,   ///< went through a pane
     kStopped,  ///< at a face, a pane or a body; after kEntered in the solid; `face` is invalid where the solid came to
-               ///< it
+               ///< it, or lies right behind another
     kExpired,
 };
 
@@ -101,9 +105,9 @@ struct ShotEvent {
     double time = 0;                 ///< seconds from the start of the step
     Vec3 point;                      ///< metres; where it stopped or left
     Vec3 normal;                     ///< unit, of what was met, toward where it came from; of kLeft out of the solid
-    Vec3 velocity;                   ///< metres a second, after it
+    Vec3 velocity;                   ///< metres a second, after it; of what stopped at a part that of its surface
     Vec3 impulse;                    ///< newton seconds that it gave to what it met
-    double energy = 0;               ///< joules that it lost
+    double energy = 0;               ///< joules that it lost, as the surface of what it met sees it
     FaceRef face;                    ///< that was met, or where it came out
     PortalId portal;                 ///< a closed one
     BodyId body;                     ///< slot ~0u: none
@@ -112,6 +116,9 @@ struct ShotEvent {
     double thickness = 0;            ///< metres that it went through: of kLeft, and of kStopped in solid
     std::uint32_t first_matter = 0;  ///< of these, in ShotEvents::matters: what it went through
     std::uint32_t matter_count = 0;
+    /// Index into Scene::parts of what was met; face, material and matters are then of its world. kNoPart: no part.
+    std::uint32_t part = kNoPart;
+    Vec3 in_part;  ///< `point` in the part's frame, metres: where one that stopped stays as the part goes on
 };
 
 /// What happened in a step.
@@ -165,6 +172,30 @@ inline constexpr int kMaxFlightChords = 4096;
 /// The same bits on every machine, with any tasks. Costs a cast for each chord, three more for each impact, pierce()
 /// twice for each way through solid. 256 projectiles are a piece of work; each allocates some vectors.
 [[nodiscard]] FIRMA_EXPORT Result<FlyReport> fly(std::span<Projectile> projectiles, const World& world, double seconds,
+                                                 ShotEvents& events, const FlyOptions& options = {},
+                                                 Bodies* bodies = nullptr);
+
+/// The same among parts that go along the scene's stretch of their motions while the projectiles fly, as by cast() of a
+/// scene: both move at the same time.
+///
+/// - A part is met as the level is, by the velocity that its surface sees: the projectile's less the surface's at that
+///   place. So angle, ricochet, the way through (thickness and matters of the part's own world, in no time) and
+///   FlyOptions::stop_speed go by it, and a blade or a lift that comes faster strikes a projectile that stands.
+/// - What stops at a part, or in one, goes along with it until the step ends, where the level lets it; its position and
+///   velocity are those of the part there then. From there on it is the caller's: ShotEvent::in_part, and `part`, say
+///   where it stays.
+/// - What comes out of the level into a part that lies flush with it, or reaches into it, goes into that at once, and
+///   likewise out of a part into the level or another part: kEntered without a face. In solid of both it counts as in
+///   the one that it was in before.
+/// - What is in a part's solid when the step begins (it was fired there, or the part was put there) stops at once.
+/// - What has no place left between the level and a part that comes stops. A ricochet that would go faster than 2^20
+///   m/s stops as well.
+///
+/// @param scene  its level is the world of the other call; without parts the answers have the same bits
+/// @return kInvalid also for a part whose motion cannot be used, or a point of which would go faster than 2^60 m/s,
+///         naming it, and for a stretch that is not within 0..1
+/// Costs also a tree over the parts' ways, and for each chord a cast through each part whose way's box it meets.
+[[nodiscard]] FIRMA_EXPORT Result<FlyReport> fly(std::span<Projectile> projectiles, const Scene& scene, double seconds,
                                                  ShotEvents& events, const FlyOptions& options = {},
                                                  Bodies* bodies = nullptr);
 

@@ -16,7 +16,6 @@ namespace firma {
 namespace {
 
 constexpr std::size_t kPerPiece = 256;
-constexpr double kFastest = 0x1p20;  // metres a second
 constexpr int kMostImpacts = 1000;
 
 Error refused(std::string reason) {
@@ -46,11 +45,26 @@ std::optional<Error> fault_of_projectiles(std::span<const Projectile> projectile
     for (std::size_t k = 0; k < projectiles.size(); ++k) {
         const Projectile& it = projectiles[k];
         if (it.state != ProjectileState::kFlying) continue;
-        const bool sound = is_finite(it.position) && max_abs(it.velocity) <= kFastest && it.mass > 0 &&
+        const bool sound = is_finite(it.position) && max_abs(it.velocity) <= kMaxFlightSpeed && it.mass > 0 &&
                            is_finite(it.mass) && it.age >= 0 && is_finite(it.age) && is_finite(it.velocity);
         if (!sound)
             return Error{ErrorCode::kOutOfRange, "projectile " + std::to_string(k),
                          "a number is not finite or out of range"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> fault_of_scene(const Scene& scene, double seconds) {
+    if (!(scene.from >= 0 && scene.from <= scene.to && scene.to <= 1))
+        return refused("the scene's stretch is not within 0 to 1");
+    for (std::size_t k = 0; k < scene.parts.size(); ++k) {
+        const MovingPart& part = scene.parts[k];
+        const char* reason = nullptr;
+        if (!is_usable_part(part))
+            reason = "its motion cannot be used";
+        else if (!(fastest_of_part(scene, part, seconds) <= kMaxPartSpeed))
+            reason = "it goes faster than 2^60 m/s";
+        if (reason) return Error{ErrorCode::kInvalid, "part " + std::to_string(k), reason};
     }
     return std::nullopt;
 }
@@ -64,10 +78,11 @@ struct FlownPiece {
 
 class FlightOfAll {
 public:
-    FlightOfAll(std::span<const Projectile> projectiles, const World& world, double seconds, const FlyOptions& options,
+    FlightOfAll(std::span<const Projectile> projectiles, const Scene& scene, double seconds, const FlyOptions& options,
                 const Bodies* bodies)
-        : projectiles_(projectiles), world_(world), seconds_(seconds), options_(options), bodies_(bodies) {
+        : projectiles_(projectiles), world_(scene.world), seconds_(seconds), options_(options), bodies_(bodies) {
         if (bodies) targets_ = std::make_unique<BodyTargets>(*bodies);
+        if (!scene.parts.empty()) parts_ = std::make_unique<PartTargets>(scene, seconds);
         pieces_.resize((projectiles.size() + kPerPiece - 1) / kPerPiece);
     }
 
@@ -104,7 +119,7 @@ private:
         FlownPiece& piece = pieces_[k];
         piece.projectiles.assign(projectiles_.begin() + std::ptrdiff_t(first),
                                  projectiles_.begin() + std::ptrdiff_t(first + count));
-        ShotFlight flight(world_, options_, bodies_, targets_.get(), piece.events);
+        ShotFlight flight(world_, options_, bodies_, targets_.get(), parts_.get(), piece.events);
         for (std::size_t at = 0; at < count; ++at)
             if (piece.projectiles[at].state == ProjectileState::kFlying)
                 flight.fly(piece.projectiles[at], std::uint32_t(first + at), seconds_);
@@ -118,23 +133,30 @@ private:
     const FlyOptions& options_;
     const Bodies* bodies_;
     std::unique_ptr<BodyTargets> targets_;
+    std::unique_ptr<PartTargets> parts_;
     std::vector<FlownPiece> pieces_;
 };
 
 }  // namespace
 
-Result<FlyReport> fly(std::span<Projectile> projectiles, const World& world, double seconds, ShotEvents& events,
+Result<FlyReport> fly(std::span<Projectile> projectiles, const Scene& scene, double seconds, ShotEvents& events,
                       const FlyOptions& options, Bodies* bodies) {
     events.events.clear();
     events.matters.clear();
     if (const auto fault = fault_of_flight(seconds, options)) return *fault;
     if (const auto fault = fault_of_projectiles(projectiles)) return *fault;
-    FlightOfAll flight(projectiles, world, seconds, options, bodies);
+    if (const auto fault = fault_of_scene(scene, seconds)) return *fault;
+    FlightOfAll flight(projectiles, scene, seconds, options, bodies);
     if (!flight.run()) return refused("Tasks::run returned before all its work had");
     const FlyReport report = flight.put_back(projectiles, events);
     for (const ShotEvent& event : events.events)
         if (event.body.slot != ~0u) push_body(*bodies, event.body, event.impulse, event.point);
     return report;
+}
+
+Result<FlyReport> fly(std::span<Projectile> projectiles, const World& world, double seconds, ShotEvents& events,
+                      const FlyOptions& options, Bodies* bodies) {
+    return fly(projectiles, Scene{world}, seconds, events, options, bodies);
 }
 
 std::uint64_t hash_projectiles(std::span<const Projectile> projectiles) {

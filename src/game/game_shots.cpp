@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projectiles of a game in one tick.
-//
-// fly() knows no parts. So each is first cast at them along the chord of its tick; what meets one flies up to there
-// alone, and ricochets or stops. After a ricochet off the level within the same tick, parts are met from the next on.
+// Projectiles of a game in one tick, among its parts.
 #include "game/game_shots.h"
 
 #include <algorithm>
@@ -12,8 +9,6 @@
 
 #include "base/sort.h"
 #include "body/shot_flight.h"
-#include "firma/queries.h"
-#include "firma/turn.h"
 
 namespace firma {
 namespace {
@@ -21,8 +16,6 @@ namespace {
 constexpr double kFastestShot = 0x1p20;  // metres a second: what fly() takes
 constexpr double kStrongestPull = 1000;  // metres a second squared
 constexpr double kLongestFuse = 3600;    // seconds
-/// Metres along the normal: so far from a part a projectile goes on.
-constexpr double kPartClearance = 1e-5;
 constexpr double kRightAngle = 1.5707963267948966;
 
 FlyOptions fly_options(const Weapon& weapon) {
@@ -51,18 +44,10 @@ public:
     void run(std::vector<Bang>& bangs) {
         begin();
         fly_all();
-        for (const MetPart& met : met_) fly_to_part(met);
         finish(bangs);
     }
 
 private:
-    /// A projectile that meets a part on its chord.
-    struct MetPart {
-        std::size_t index = 0;
-        Projectile before;
-        PartHit hit;
-    };
-
     void begin() {
         ages_.resize(shots_.size());
         lay_.resize(shots_.size());
@@ -72,76 +57,14 @@ private:
             ages_[k] = shot.age;
             lay_[k] = weapon_.lies && shot.state == ProjectileState::kStopped;
             if (lay_[k]) shot.state = ProjectileState::kFlying;  // what it lay on may be away
-            if (game_.parts.empty() || shot.state != ProjectileState::kFlying) continue;
-            const Vec3 chord = shot.velocity * seconds_ + weapon_.gravity * (0.5 * seconds_ * seconds_);
-            CastOptions options;
-            options.mask = shot.mask;
-            const PartHit hit = cast(Scene{nothing_, game_.parts}, Ray{shot.position, chord}, options);
-            if (!hit.touched()) continue;
-            met_.push_back({k, shot, hit});
-            shot.state = ProjectileState::kStopped;  // left out
         }
     }
 
     void fly_all() {
         ShotEvents events;
-        const auto flown = fly(shots_, game_.world, seconds_, events, options_, &game_.bodies);
-        if (!flown) return;  // fault_of_shots() was asked before
+        const auto flown = fly(shots_, Scene{game_.world, game_.parts}, seconds_, events, options_, &game_.bodies);
+        if (!flown) return;  // fault_of_shots() was asked before, and motions were looked at
         for (const ShotEvent& event : events.events) tell(event);
-    }
-
-    void fly_to_part(const MetPart& met) {
-        Projectile& shot = shots_[met.index];
-        shot = met.before;
-        const double seconds = met.hit.fraction * seconds_;
-        bool undisturbed = true;
-        if (seconds > 0) {
-            ShotEvents events;
-            static_cast<void>(fly({&shot, 1}, game_.world, seconds, events, options_, &game_.bodies));
-            for (ShotEvent& event : events.events) {
-                event.projectile = std::uint32_t(met.index);
-                tell(event);
-            }
-            undisturbed = events.events.empty();
-        }
-        if (undisturbed && shot.state == ProjectileState::kFlying) meet_part(shot, met, seconds);
-    }
-
-    void meet_part(Projectile& shot, const MetPart& met, double seconds) {
-        const Vec3 &normal = met.hit.normal, surface = met.hit.surface_velocity * (1 / seconds_);
-        const Vec3 place = on_flight_grid(met.hit.point + normal * kPartClearance);
-        CastOptions options;
-        options.mask = shot.mask;
-        if (cast_any(game_.world, Ray{shot.position, place - shot.position}, options) == Status::kMiss)
-            shot.position = place;
-        const Vec3 relative = shot.velocity - surface, after = ricocheted(relative, normal);
-        ShotEvent event;
-        event.kind = length(after) > 0 ? ShotEventKind::kRicochet : ShotEventKind::kStopped;
-        event.projectile = std::uint32_t(met.index);
-        event.time = seconds;
-        event.point = met.hit.point;
-        event.normal = normal;
-        event.face = met.hit.face;
-        event.material = met.hit.material;
-        const bool goes_on = event.kind == ShotEventKind::kRicochet;
-        event.velocity = goes_on ? after + surface : Vec3{};
-        event.impulse = (shot.velocity - event.velocity) * shot.mass;
-        shot.velocity = event.velocity;
-        if (!goes_on) shot.state = ProjectileState::kStopped;
-        tell(event);
-    }
-
-    /// As fly() has it; zero where it stops.
-    Vec3 ricocheted(const Vec3& velocity, const Vec3& normal) const {
-        const ShotTerms& terms = weapon_.terms;
-        const double speed = length(velocity), toward = std::min(0.0, dot(velocity, normal));
-        const double sine = speed > 0 ? -toward / speed : 0;
-        if (terms.ricochet_below < kRightAngle && !(sine < sine_cosine(terms.ricochet_below).sine)) return {};
-        const Vec3 along = velocity - normal * toward;
-        const double change = -(1 + terms.restitution) * toward, slides = length(along);
-        const double kept = slides > 0 ? std::max(0.0, 1 - terms.friction * change / slides) : 0;
-        const Vec3 after = along * kept - normal * (terms.restitution * toward);
-        return length(after) >= weapon_.stop_speed ? after : Vec3{};
     }
 
     void tell(const ShotEvent& event) {
@@ -174,8 +97,6 @@ private:
     const FlyOptions options_;
     const double seconds_;
     GameReport& report_;
-    const World nothing_{};
-    std::vector<MetPart> met_;
     std::vector<double> ages_, times_;
     std::vector<bool> lay_;
 };

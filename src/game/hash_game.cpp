@@ -110,7 +110,7 @@ std::uint64_t hash_piece(const DebrisPiece& piece) {
     Hasher hash;
     hash.add(hash_solid(piece.solid));
     hash.add(piece.use, piece.matter);
-    hash.add(piece.broken, std::uint32_t(piece.never_ground));
+    hash.add(piece.broken, std::uint32_t(piece.never_ground) | std::uint32_t(piece.of_part) << 1);
     add_point(hash, piece.origin);
     add_numbers(hash, {piece.age, piece.asleep_for});
     return hash.value();

@@ -102,7 +102,7 @@ void put_debris(ByteWriter& out, const Debris& debris) {
     put_whole(out, debris.slots.size());
     for (const DebrisPiece& piece : debris.slots) {
         const bool is_there = piece.solid.face_count() > 0;
-        put_flags(out, {is_there, is_there && piece.never_ground});
+        put_flags(out, {is_there, is_there && piece.never_ground, is_there && piece.of_part});
         if (!is_there) continue;
         put_whole(out, piece.use);
         put_whole(out, piece.matter);
@@ -119,7 +119,7 @@ Debris take_debris(ByteReader& in) {
     for (std::size_t k = 0; k < count && in.ok(); ++k) {
         DebrisPiece piece;
         bool is_there = false;
-        take_flags(in, {&is_there, &piece.never_ground});
+        take_flags(in, {&is_there, &piece.never_ground, &piece.of_part});
         if (is_there) {
             piece.use = take_u32_whole(in);
             piece.matter = take_u32_whole(in);
@@ -129,7 +129,7 @@ Debris take_debris(ByteReader& in) {
             piece.solid = take_world(in).solid();
             if (in.ok() && (piece.solid.face_count() == 0 || piece.age < 0 || piece.asleep_for < 0))
                 in.fail("debris without a solid, or of an age below 0");
-        } else if (piece.never_ground) {
+        } else if (piece.never_ground || piece.of_part) {
             in.fail("flags that mean nothing");
         }
         debris.slots.push_back(std::move(piece));

@@ -15,6 +15,8 @@
 namespace firma {
 namespace {
 
+constexpr double kFarthestWay = 0x1p40;  // metres, of a part in a tick: what fly() takes at any rate
+
 class GameTick {
 public:
     GameTick(GameState& game, GameReport& report) : game_(game), report_(report), seconds_(1.0 / game.rate) {}
@@ -31,7 +33,7 @@ public:
         for (std::size_t k = 0; k < game_.parts.size(); ++k) {
             MovingPart next;
             next.motion = drive_motion(game_, game_.drives[k]);
-            if (!is_usable_part(next))
+            if (!is_usable_part(next) || !(max_abs(next.motion.path) <= kFarthestWay))
                 return Error{ErrorCode::kInvalid, "part " + std::to_string(k), "its motion cannot be used"};
             motions_.push_back(next.motion);
         }

@@ -130,6 +130,69 @@ static void test_body(firma_world room, firma_shot_events events) {
     CHECK_FAILS(firma_fly(&bullet, 1, room, bodies, 1.0 / 64, NULL, events, NULL), FIRMA_ERROR_BAD_HANDLE, "bodies");
 }
 
+/* A wall of 0.5 m that comes at 20 m/s and goes up at 60: what hits it sees that, what stays in it goes along. */
+static void test_parts(firma_world room, firma_shot_events events) {
+    const double positions[] = {0, -1, -1, 0.5, -1, -1, 0.5, 1, -1, 0, 1, -1, 0, -1, 1, 0.5, -1, 1, 0.5, 1, 1, 0, 1, 1};
+    static const uint32_t corners[] = {3, 2, 1, 0, 5, 6, 7, 4, 1, 5, 4, 0, 2, 6, 5, 1, 3, 7, 6, 2, 0, 4, 7, 3};
+    static const uint32_t counts[] = {4, 4, 4, 4, 4, 4};
+    firma_mesh mesh = {.size = sizeof mesh, .positions = positions, .vertex_count = 8, .corners = corners};
+    mesh.corner_counts = counts;
+    mesh.face_count = 6;
+    const double step = 1.0 / 64;
+    firma_part wall;
+    firma_part_defaults(&wall);
+    CHECK_OK(firma_world_from_mesh(&mesh, "wall", NULL, &wall.world));
+    const double position[3] = {4, 4, 1.5};
+    memcpy(wall.motion.position, position, sizeof position);
+    wall.motion.path[0] = -20 * step;
+    wall.motion.path[2] = 60 * step;
+    firma_scene scene;
+    firma_scene_defaults(&scene);
+    scene.world = room;
+    CHECK_OK(firma_parts_create(&scene.parts));
+    CHECK_OK(firma_parts_add(scene.parts, &wall, NULL));
+    firma_fly_options options;
+    firma_fly_options_defaults(&options);
+    options.gravity[2] = 0;
+    options.other.resistance = 1000;
+    const firma_bodies nobody = {0};
+    firma_projectile stays = shot(2, 4, 2, 220, 0, 0); /* the wall sees (240, 0, -60): 306 J */
+    firma_fly_report report = {.size = sizeof report};
+    CHECK_OK(firma_fly_scene(&stays, 1, &scene, nobody, step, &options, events, &report));
+    firma_shot_view view = view_of(events);
+    CHECK(view.event_count == 2 && view.events[1].kind == FIRMA_SHOT_STOPPED && view.events[1].part == 0);
+    CHECK(fabs(view.events[1].time - 2 / 240.0) < 1e-9 && fabs(view.events[1].energy - 306) < 1e-6);
+    CHECK(fabs(view.events[1].thickness - 0.306) < 1e-9 && report.impacts == 1);
+    CHECK(fabs(view.events[1].in_part[0] - 0.306 * 240 / hypot(240, 60)) < 1e-9);
+    CHECK(stays.state == FIRMA_PROJECTILE_STOPPED && fabs(stays.velocity[0] + 20) < 1e-9);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double end = wall.motion.position[axis] + wall.motion.path[axis];
+        CHECK(fabs(stays.position[axis] - end - view.events[1].in_part[axis]) < 1e-9);
+    }
+    /* Without parts as firma_fly(), to the bit. */
+    firma_scene level;
+    firma_scene_defaults(&level);
+    level.world = room;
+    firma_projectile one = shot(2, 4, 1, 150, 0, -90), other = one;
+    CHECK_OK(firma_fly_scene(&one, 1, &level, nobody, step, NULL, events, NULL));
+    CHECK(view_of(events).event_count > 0 && view_of(events).events[0].part == FIRMA_NO_PART);
+    CHECK_OK(firma_fly(&other, 1, room, nobody, step, NULL, events, NULL));
+    CHECK(memcmp(&one, &other, sizeof one) == 0);
+    scene.to = 2;
+    CHECK_FAILS(firma_fly_scene(&one, 1, &scene, nobody, step, NULL, events, NULL), FIRMA_ERROR_OUT_OF_RANGE,
+                "stretch");
+    scene.to = 1;
+    wall.motion.path[1] = 1e30;
+    CHECK_OK(firma_parts_set_motions(scene.parts, &wall.motion, 1));
+    CHECK_FAILS(firma_fly_scene(&one, 1, &scene, nobody, step, NULL, events, NULL), FIRMA_ERROR_INVALID, "part 0");
+    CHECK_FAILS(firma_fly_scene(&one, 1, NULL, nobody, step, NULL, events, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_fly_scene(&one, 1, &level, nobody, 0, NULL, events, NULL), FIRMA_ERROR_OUT_OF_RANGE, "seconds");
+    CHECK_OK(firma_parts_release(scene.parts));
+    CHECK_FAILS(firma_fly_scene(&one, 1, &scene, nobody, step, NULL, events, NULL), FIRMA_ERROR_BAD_HANDLE, "parts");
+    CHECK(memcmp(&one, &other, sizeof one) == 0);
+    CHECK_OK(firma_world_release(wall.world));
+}
+
 static void test_bad(firma_world room, firma_shot_events events) {
     const firma_bodies nobody = {0};
     const double step = 1.0 / 64;
@@ -192,6 +255,7 @@ void test_projectiles(void) {
     CHECK(view_of(events).event_count == 0);
     test_flight(room, events);
     test_slab(room, events);
+    test_parts(room, events);
     test_body(room, events);
     test_bad(room, events);
     CHECK_OK(firma_shot_events_release(events));

@@ -177,6 +177,31 @@ TEST(GameBytes, WhatCannotBeReadIsNotWritten) {
     EXPECT_EQ(pack_game(game).error().text(), "it has not as many drives as parts");
 }
 
+TEST(GameBytes, WhatCameOffAPartComesBackAsThat) {
+    GameState game = small_game_after(10);
+    DebrisPiece piece;
+    piece.solid = test::box_world({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25}).solid();
+    piece.matter = 3;
+    const BodyId id =
+        add_debris(game.bodies, game.debris, test::body_here(test::box_body({0.25, 0.25, 0.25}), {1, 1, 1}), piece);
+    const std::vector<std::byte> of_level = pack_game(game).value();
+    const GameHashes hashes = hash_game_items(game);
+    EXPECT_FALSE(loaded(game).debris.slots[id.slot].of_part);
+    game.debris.slots[id.slot].of_part = true;
+    EXPECT_NE(hash_game_items(game), hashes);
+    const GameState read = loaded(game);
+    EXPECT_TRUE(read.debris.slots[id.slot].of_part);
+    EXPECT_EQ(hash_game_items(read), hash_game_items(game));
+    // A bit of the flags that were there before: files of before have it as 0, and are read as they were.
+    const std::vector<std::byte> of_part = pack_game(game).value();
+    ASSERT_EQ(of_part.size(), of_level.size());
+    std::size_t other = 0;
+    for (const SectionPlace& place : section_places(of_part))
+        if (place.type == kGameDebrisSection)
+            for (std::size_t k = place.first; k < place.first + place.length; ++k) other += of_part[k] != of_level[k];
+    EXPECT_EQ(other, 1u);
+}
+
 TEST(GameBytes, DebrisAndPartsAfterBlastsComeBack) {
     const std::vector<GameEvent> events = depot_events();
     GameRun run(depot_game(), events);

@@ -115,6 +115,36 @@ TEST(GameStep, ProjectilesMeetPartsThatMove) {
     EXPECT_TRUE(game.shots[0].projectiles.empty());
 }
 
+TEST(GameStep, ABulletGoesThroughAThinPart) {
+    GameState game = on_ground();
+    add_part(game, named_part(box_world({-0.015625, -1, 0}, {0.015625, 1, 2}), "board"), sliding_drive({4, 0, 0}));
+    happens(game, FireEvent{0, {0, 0.5, 1.5}, {300, 0, 0}});
+    const GameReport report = ticks(game, 3);
+    ASSERT_EQ(report.shot_events.size(), 2u);
+    EXPECT_EQ(report.shot_events[1].kind, ShotEventKind::kLeft);
+    EXPECT_EQ(report.shot_events[1].part, 0u);
+    EXPECT_NEAR(report.shot_events[1].energy, 8000.0 / 32, 0.1);
+    EXPECT_EQ(game.shots[0].projectiles.size(), 1u);
+}
+
+TEST(GameStep, AGrenadeLiesOnALiftThatGoes) {
+    GameState game = on_ground();
+    game.shots[2].weapon.fuse = 20;
+    add_part(game, named_part(box_world({-1, -1, -0.25}, {1, 1, 0.25}), "lift"), sliding_drive({4, 0, 0.25}));
+    happens(game, FireEvent{2, {4, 0, 0.6}, {0, 0, 0}});
+    ticks(game, 60);
+    ASSERT_NEAR(game.shots[2].projectiles.at(0).position.z, 0.5, 1e-3);
+    happens(game, PartEvent{0});  // up in a second, there for one, down in one
+    for (int k = 0; k < 240; ++k) {
+        ticks(game, 1);
+        const RigidMotion& motion = game.parts[0].motion;
+        const Vec3 at = game.shots[2].projectiles.at(0).position;
+        ASSERT_NEAR(at.z, motion.position.z + motion.path.z + 0.25, 0.21) << k;  // it hops where the lift halts
+        ASSERT_GT(at.z, motion.position.z + motion.path.z + 0.25) << k;
+    }
+    EXPECT_NEAR(game.shots[2].projectiles.at(0).position.z, 0.5, 1e-3);
+}
+
 TEST(GameStep, APartSetsOffOnceAndAgainWhenItIsBack) {
     GameState game = with_leaf();
     ticks(game, 30);

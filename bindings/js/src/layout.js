@@ -1019,7 +1019,7 @@ export const FLY_OPTIONS = Object.freeze({
 
 /** firma_shot_event */
 export const SHOT_EVENT = Object.freeze({
-    sizeof: 176,
+    sizeof: 208,
     time: 0,
     point: 8,
     normal: 32,
@@ -1027,17 +1027,20 @@ export const SHOT_EVENT = Object.freeze({
     impulse: 80,
     energy: 104,
     thickness: 112,
-    kind: 120,
-    projectile: 124,
-    number: 128,
-    face: 132,
-    corner: 136,
-    portal: 148,
-    body: 152,
-    material: 160,
-    matter: 164,
-    firstLength: 168,
-    lengthCount: 172,
+    inPart: 120,
+    kind: 144,
+    projectile: 148,
+    number: 152,
+    face: 156,
+    corner: 160,
+    portal: 172,
+    body: 176,
+    material: 184,
+    matter: 188,
+    firstLength: 192,
+    lengthCount: 196,
+    part: 200,
+    reserved: 204,
 });
 
 /** firma_shot_length */
