@@ -34,6 +34,8 @@ firma_code read_explode(const firma_explode_options* given, BlastOptions& option
     return read_push(&whole.push, options.push, function);
 }
 
+}  // namespace
+
 firma_explosion explosion_told(const BlastResult& from, const firma_carve_report& carve) {
     firma_explosion out{};
     out.status = std::uint32_t(from.carve.status);
@@ -48,8 +50,6 @@ firma_explosion explosion_told(const BlastResult& from, const firma_carve_report
     out.carve = carve;
     return out;
 }
-
-}  // namespace
 
 firma_code read_blast(const firma_blast* given, Blast& blast, const char* function) {
     if (!given) return bad_call(function, kNull);

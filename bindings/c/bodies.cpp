@@ -18,13 +18,6 @@
 namespace firma::c {
 namespace {
 
-struct BodyShapeObject final : Object {
-    static constexpr Kind kKind = Kind::kBodyShape;
-    static constexpr const char* kNoun = "body shape";
-    explicit BodyShapeObject(BodyShape of) : shape(std::move(of)) {}
-    const BodyShape shape;
-};
-
 constexpr int kMaxSubsteps = 10'000, kMostBounces = 1'000;
 
 MassProperties mass_from(const firma_mass& from) {
@@ -52,8 +45,11 @@ firma_code ask_of_body(firma_bodies bodies, firma_body_id id, const char* functi
     return work(object->bodies, *body);
 }
 
+}  // namespace
+
 firma_body body_told(const Body& from) {
     firma_body out{};
+    out.size = sizeof out;
     out.mask = from.mask;
     put(from.position, out.position);
     for (std::size_t k = 0; k < 4; ++k) out.rotation[k] = from.rotation[k];
@@ -64,14 +60,13 @@ firma_body body_told(const Body& from) {
     out.friction = from.friction;
     out.restitution = from.restitution;
     out.rolling = from.rolling;
-    out.mass = from.shape.mass();
+    if (from.shape.valid()) out.mass = from.shape.mass();
     out.asleep = from.asleep;
     out.stuck = from.stuck;
     out.crushed = from.crushed;
     return out;
 }
 
-/// What may be taken of a caller's body.
 bool is_good(const firma_body& body) {
     for (const double(*v)[3] : {&body.position, &body.velocity, &body.spin, &body.force, &body.torque})
         if (!is_finite(vec(*v))) return false;
@@ -93,6 +88,8 @@ void take_body(const firma_body& from, Body& body) {
     body.still_for = 0;
 }
 
+namespace {
+
 firma_code add_body_here(firma_bodies bodies, const Result<Body>& made, firma_body_id* id, const char* function) {
     if (!made) return fail(made.error());
     firma_code code = FIRMA_OK;
@@ -102,6 +99,8 @@ firma_code add_body_here(firma_bodies bodies, const Result<Body>& made, firma_bo
     *id = {added.slot, added.use};
     return FIRMA_OK;
 }
+
+}  // namespace
 
 firma_code read_step(const firma_step_options* given, StepOptions& step, const char* function) {
     if (!given) return FIRMA_OK;
@@ -124,6 +123,32 @@ firma_code read_step(const firma_step_options* given, StepOptions& step, const c
     return FIRMA_OK;
 }
 
+firma_step_options step_told(const StepOptions& from) {
+    return {sizeof(firma_step_options),
+            std::uint32_t(from.substeps_a_second),
+            std::uint32_t(from.max_bounces),
+            0,
+            {from.gravity.x, from.gravity.y, from.gravity.z},
+            from.contact_friction,
+            from.contact_offset,
+            from.sleep_speed,
+            from.sleep_after};
+}
+
+firma_step_report step_report_told(const StepReport& from) {
+    return {sizeof(firma_step_report),
+            0,
+            from.awake,
+            from.contacts,
+            from.swept,
+            from.bounces,
+            from.woken,
+            from.stuck,
+            from.crushed};
+}
+
+namespace {
+
 /// A step of bodies, in the scene that `find_scene` fills.
 template <class FindScene>
 firma_code step_bodies(firma_bodies bodies, const FindScene& find_scene, double seconds,
@@ -141,9 +166,7 @@ firma_code step_bodies(firma_bodies bodies, const FindScene& find_scene, double 
     object->broken = true;  // unless it comes back
     const StepReport made = step(object->bodies, there.scene(), seconds, chosen);
     object->broken = false;
-    if (report)
-        put_sized({0, 0, made.awake, made.contacts, made.swept, made.bounces, made.woken, made.stuck, made.crushed},
-                  report);
+    if (report) put_sized(step_report_told(made), report);
     return FIRMA_OK;
 }
 
@@ -214,8 +237,27 @@ firma_code firma_body_shape_spheres(const double* spheres, size_t count, const f
     });
 }
 
+firma_code firma_body_shape_get_spheres(firma_body_shape shape, double* spheres, size_t capacity, size_t* count) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!count || (!spheres && capacity)) return bad_call(function, kNull);
+        const BodyShapeObject* const object = find<BodyShapeObject>(shape.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const std::span<const Sphere> all = object->shape.spheres();
+        for (std::size_t k = 0; k < std::min(capacity, all.size()); ++k) {
+            for (int axis = 0; axis < 3; ++axis) spheres[4 * k + std::size_t(axis)] = all[k].centre[axis];
+            spheres[4 * k + 3] = all[k].radius;
+        }
+        *count = all.size();
+        return FIRMA_OK;
+    });
+}
+
 firma_code firma_body_shape_release(firma_body_shape shape) {
     return release<BodyShapeObject>(shape.id, __func__);
+}
+
+void firma_body_defaults(firma_body* body) {
+    if (body) *body = body_told({});
 }
 
 firma_code firma_bodies_create(firma_bodies* bodies) {
@@ -340,6 +382,15 @@ firma_code firma_bodies_get_pose(firma_bodies bodies, firma_body_id id, firma_po
     });
 }
 
+firma_code firma_bodies_shape(firma_bodies bodies, firma_body_id id, firma_body_shape* shape) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!shape) return bad_call(function, kNull);
+        return ask_of_body(bodies, id, function, [&](Bodies&, const Body& it) {
+            return give(std::make_unique<BodyShapeObject>(it.shape), shape, function);
+        });
+    });
+}
+
 firma_code firma_bodies_wake(firma_bodies bodies, firma_body_id id) {
     return guarded(__func__, [&, function = __func__] {
         return ask_of_body(bodies, id, function, [&](Bodies& all, Body&) {
@@ -363,17 +414,7 @@ firma_code firma_bodies_push(firma_bodies bodies, firma_body_id id, const double
 }
 
 void firma_step_options_defaults(firma_step_options* options) {
-    if (!options) return;
-    const StepOptions usual;
-    *options = {sizeof(firma_step_options),
-                std::uint32_t(usual.substeps_a_second),
-                std::uint32_t(usual.max_bounces),
-                0,
-                {usual.gravity.x, usual.gravity.y, usual.gravity.z},
-                usual.contact_friction,
-                usual.contact_offset,
-                usual.sleep_speed,
-                usual.sleep_after};
+    if (options) *options = step_told({});
 }
 
 firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds, const firma_step_options* options,

@@ -28,9 +28,25 @@ inline BodiesObject* find_bodies(firma_bodies bodies, firma_code& code, const ch
     return nullptr;
 }
 
+struct BodyShapeObject final : Object {
+    static constexpr Kind kKind = Kind::kBodyShape;
+    static constexpr const char* kNoun = "body shape";
+    explicit BodyShapeObject(BodyShape of) : shape(std::move(of)) {}
+    const BodyShape shape;
+};
+
 inline BodyId id_of(firma_body_id id) {
     return {id.slot, id.use};
 }
+
+/// All of it; `size` as the struct is now.
+firma_body body_told(const Body& from);
+/// What may be taken of a caller's body, and taking it: all but its shape.
+bool is_good(const firma_body& body);
+void take_body(const firma_body& from, Body& body);
+firma_code read_step(const firma_step_options* given, StepOptions& step, const char* function);
+firma_step_options step_told(const StepOptions& from);
+firma_step_report step_report_told(const StepReport& from);
 
 inline constexpr const char* kNoSuchBody = "there is no such body any more";
 

@@ -51,35 +51,46 @@ firma_code read_spheres(const double* numbers, std::size_t count, std::vector<Sp
     return FIRMA_OK;
 }
 
-/// Rules, and the spheres that they point to.
-struct RulesThere {
-    DebrisRules rules;
-    std::vector<Sphere> clear;
+}  // namespace
 
-    firma_code read(const firma_debris_rules* given, const char* function) {
-        if (!given) return FIRMA_OK;
-        if (!sized(given)) return bad_call(function, kWrongSize);
-        firma_debris_rules whole;
-        firma_debris_rules_defaults(&whole);
-        take_sized(given, whole);
-        if (whole.to_ground > 1) return fail(FIRMA_ERROR_INVALID, function, "to_ground must be 0 or 1");
-        if (!is_limit(whole.max_age) || !is_limit(whole.max_asleep) || !is_limit(whole.min_to_ground) ||
-            !is_limit(whole.max_overlap))
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a rule is not a number, or negative");
-        rules.max_bodies = std::size_t(whole.max_bodies);
-        rules.max_spheres = std::size_t(whole.max_spheres);
-        rules.max_age = whole.max_age;
-        rules.max_asleep = whole.max_asleep;
-        rules.to_ground = whole.to_ground != 0;
-        rules.max_to_ground = std::size_t(whole.max_to_ground);
-        rules.min_to_ground = whole.min_to_ground;
-        rules.max_overlap = whole.max_overlap;
-        if (const firma_code code = read_spheres(whole.keep_clear, whole.keep_clear_count, clear, function))
-            return code;
-        rules.keep_clear = clear;
-        return FIRMA_OK;
-    }
-};
+firma_code DebrisRulesThere::read(const firma_debris_rules* given, const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    firma_debris_rules whole;
+    firma_debris_rules_defaults(&whole);
+    take_sized(given, whole);
+    if (whole.to_ground > 1) return fail(FIRMA_ERROR_INVALID, function, "to_ground must be 0 or 1");
+    if (!is_limit(whole.max_age) || !is_limit(whole.max_asleep) || !is_limit(whole.min_to_ground) ||
+        !is_limit(whole.max_overlap))
+        return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a rule is not a number, or negative");
+    rules.max_bodies = std::size_t(whole.max_bodies);
+    rules.max_spheres = std::size_t(whole.max_spheres);
+    rules.max_age = whole.max_age;
+    rules.max_asleep = whole.max_asleep;
+    rules.to_ground = whole.to_ground != 0;
+    rules.max_to_ground = std::size_t(whole.max_to_ground);
+    rules.min_to_ground = whole.min_to_ground;
+    rules.max_overlap = whole.max_overlap;
+    if (const firma_code code = read_spheres(whole.keep_clear, whole.keep_clear_count, clear, function)) return code;
+    rules.keep_clear = clear;
+    return FIRMA_OK;
+}
+
+firma_debris_rules debris_rules_told(const DebrisRules& from) {
+    firma_debris_rules out{};
+    out.size = sizeof out;
+    out.to_ground = from.to_ground;
+    out.max_bodies = from.max_bodies;
+    out.max_spheres = from.max_spheres;
+    out.max_age = from.max_age;
+    out.max_asleep = from.max_asleep;
+    out.max_to_ground = from.max_to_ground;
+    out.min_to_ground = from.min_to_ground;
+    out.max_overlap = from.max_overlap;
+    return out;
+}
+
+namespace {
 
 /// The edits that a call made: what became ground is of the inside of its matter.
 std::vector<DebrisFill> fills_of(const DebrisReport& report, const std::vector<std::uint32_t>& matters) {
@@ -211,17 +222,7 @@ firma_code firma_debris_named(firma_debris debris, uint32_t list, firma_body_id*
 }
 
 void firma_debris_rules_defaults(firma_debris_rules* rules) {
-    if (!rules) return;
-    const DebrisRules usual;
-    *rules = {};
-    rules->size = sizeof *rules;
-    rules->max_bodies = usual.max_bodies;
-    rules->max_spheres = usual.max_spheres;
-    rules->max_age = usual.max_age;
-    rules->max_asleep = usual.max_asleep;
-    rules->max_to_ground = usual.max_to_ground;
-    rules->min_to_ground = usual.min_to_ground;
-    rules->max_overlap = usual.max_overlap;
+    if (rules) *rules = debris_rules_told({});
 }
 
 firma_code firma_debris_tend(firma_debris debris, firma_bodies bodies, firma_world world, double seconds,
@@ -231,7 +232,7 @@ firma_code firma_debris_tend(firma_debris debris, firma_bodies bodies, firma_wor
         if (report && !sized(report)) return bad_call(function, kWrongSize);
         if (!is_not_below_zero(seconds))
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the seconds are not finite, or negative");
-        RulesThere chosen;
+        DebrisRulesThere chosen;
         if (const firma_code code = chosen.read(rules, function)) return code;
         const WorldObject* const level = find<WorldObject>(world.id, function);
         if (!level) return FIRMA_ERROR_BAD_HANDLE;

@@ -64,6 +64,19 @@ struct DebrisThere {
     }
 };
 
+/// Rules, and the spheres that they point to.
+struct DebrisRulesThere {
+    DebrisRules rules;
+    std::vector<Sphere> clear;
+
+    /// Null gives the defaults.
+    firma_code read(const firma_debris_rules* given, const char* function);
+};
+firma_debris_rules debris_rules_told(const DebrisRules& from);
+
+/// @param carve  of the crater, as it is to be told
+firma_explosion explosion_told(const BlastResult& from, const firma_carve_report& carve);
+
 /// A pattern as a caller has it.
 firma_code read_pattern(const firma_fracture_pattern* given, FracturePattern& pattern, const char* function);
 /// Null gives the defaults.

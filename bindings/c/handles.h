@@ -35,7 +35,9 @@ enum class Kind : std::uint8_t {
     kPiercing,
     kDebris,
     kSupports,
-    kConvexPieces
+    kConvexPieces,
+    kGame,
+    kRecording
 };
 
 /// What a handle may stand for; deleted when it is released.

@@ -127,7 +127,7 @@ firma_code firma_parts_breakable(firma_parts parts, uint32_t index, firma_breaka
         PartThere there;
         if (const firma_code code = there.find_part(parts, index, function)) return code;
         Breakable made;
-        if (there.given)
+        if (there.given && there.given->bears)
             made = there.given->breakable;
         else
             made.whole = mass_properties(there.part->world().solid(), 1).volume;

@@ -24,6 +24,8 @@ bool is_good_path(const firma_part_path& path) {
            is_finite(path.swing_phase);
 }
 
+}  // namespace
+
 firma_code read_path(const firma_part_path* given, PartPath& path, const char* function) {
     if (!given) return bad_call(function, kNull);
     if (!sized(given)) return bad_call(function, kWrongSize);
@@ -48,6 +50,8 @@ firma_code read_path(const firma_part_path* given, PartPath& path, const char* f
     path.swing = {vec(whole.swing_reach), whole.swing_angle, whole.swing_period, whole.swing_phase};
     return FIRMA_OK;
 }
+
+namespace {
 
 template <class Work>
 firma_code ask_of_path(const firma_part_path* given, double seconds, const char* function, const Work& work) {

@@ -8,6 +8,7 @@
 
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "bindings/c/players_object.h"
 #include "bindings/c/scenes.h"
 
 namespace firma::c {
@@ -15,13 +16,6 @@ namespace {
 
 static_assert(FIRMA_MAX_PLAYER_CONTACTS == kMaxPlayerContacts && FIRMA_CONTACT_GROUND == int(ContactKind::kGround) &&
               FIRMA_CONTACT_WALL == int(ContactKind::kWall) && FIRMA_CONTACT_CEILING == int(ContactKind::kCeiling));
-
-struct PlayerShapeObject final : Object {
-    static constexpr Kind kKind = Kind::kPlayerShape;
-    static constexpr const char* kNoun = "player shape";
-    explicit PlayerShapeObject(PlayerShape of) : shape(std::move(of)) {}
-    const PlayerShape shape;
-};
 
 firma_code give_shape(const Result<PlayerShape>& made, firma_player_shape* out, const char* function) {
     if (!made) return fail(made.error());
@@ -50,6 +44,12 @@ firma_code judge_flags(std::initializer_list<std::uint32_t> flags, const char* f
     for (const std::uint32_t flag : flags)
         if (flag > 1) return fail(FIRMA_ERROR_INVALID, function, "what is 0 or 1 is neither");
     return FIRMA_OK;
+}
+
+}  // namespace
+
+firma_code judge_player_flags(const firma_player& given, const char* function) {
+    return judge_flags({given.on_ground, given.crouched, given.stuck}, function);
 }
 
 Player player_of(const firma_player& from) {
@@ -83,6 +83,8 @@ void put_player(const Player& from, firma_player& out) {
     out.stuck = from.stuck;
 }
 
+namespace {
+
 void put_contact(const PlayerContact& from, firma_player_contact& out) {
     put(from.point, out.point);
     put(from.normal, out.normal);
@@ -94,6 +96,8 @@ void put_contact(const PlayerContact& from, firma_player_contact& out) {
     out.part = from.part;
     out.material = from.material;
 }
+
+}  // namespace
 
 firma_player_move move_of(const PlayerMove& from) {
     firma_player_move out{};
@@ -119,7 +123,17 @@ firma_code read_wish(const firma_player_wish* given, PlayerWish& wish, const cha
     return FIRMA_OK;
 }
 
-firma_code read_rules(const firma_player_rules* given, PlayerRules& rules, const char* function) {
+firma_player_wish wish_told(const PlayerWish& from) {
+    firma_player_wish out{};
+    out.size = sizeof out;
+    out.jump = from.jump;
+    out.crouch = from.crouch;
+    out.careful = from.careful;
+    put(from.velocity, out.velocity);
+    return out;
+}
+
+firma_code read_player_rules(const firma_player_rules* given, PlayerRules& rules, const char* function) {
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
     firma_player_rules whole;
@@ -140,7 +154,22 @@ firma_code read_rules(const firma_player_rules* given, PlayerRules& rules, const
     return FIRMA_OK;
 }
 
-}  // namespace
+firma_player_rules player_rules_told(const PlayerRules& from) {
+    return {sizeof(firma_player_rules),
+            0,
+            from.gravity,
+            from.max_slope,
+            from.step_height,
+            from.max_drop,
+            from.overhang,
+            from.jump_speed,
+            from.ground_acceleration,
+            from.air_acceleration,
+            from.crouched_speed,
+            from.max_push,
+            from.contact_offset};
+}
+
 }  // namespace firma::c
 
 using namespace firma;
@@ -158,21 +187,7 @@ void firma_player_defaults(firma_player* player) {
 }
 
 void firma_player_rules_defaults(firma_player_rules* rules) {
-    if (!rules) return;
-    const PlayerRules usual;
-    *rules = {sizeof(firma_player_rules),
-              0,
-              usual.gravity,
-              usual.max_slope,
-              usual.step_height,
-              usual.max_drop,
-              usual.overhang,
-              usual.jump_speed,
-              usual.ground_acceleration,
-              usual.air_acceleration,
-              usual.crouched_speed,
-              usual.max_push,
-              usual.contact_offset};
+    if (rules) *rules = player_rules_told({});
 }
 
 firma_code firma_player_shape_capsule(const firma_player_size* size, firma_player_shape* shape) {
@@ -204,6 +219,18 @@ firma_code firma_player_shape_spheres(const double* standing, size_t standing_co
     });
 }
 
+firma_code firma_player_shape_get_size(firma_player_shape shape, firma_player_size* size) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!size) return bad_call(function, kNull);
+        if (!sized(size)) return bad_call(function, kWrongSize);
+        const PlayerShapeObject* object = find<PlayerShapeObject>(shape.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const PlayerShape& it = object->shape;
+        put_sized({0, 0, it.radius(), it.height(), it.height(true), {it.up().x, it.up().y, it.up().z}}, size);
+        return FIRMA_OK;
+    });
+}
+
 firma_code firma_player_shape_release(firma_player_shape shape) {
     return release<PlayerShapeObject>(shape.id, __func__);
 }
@@ -218,12 +245,11 @@ firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape,
         if (const firma_code code = there.read(scene, function)) return code;
         const PlayerShapeObject* object = find<PlayerShapeObject>(shape.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (const firma_code code = judge_flags({player->on_ground, player->crouched, player->stuck}, function))
-            return code;
+        if (const firma_code code = judge_player_flags(*player, function)) return code;
         PlayerWish wished;
         if (const firma_code code = read_wish(wish, wished, function)) return code;
         PlayerRules by;
-        if (const firma_code code = read_rules(rules, by, function)) return code;
+        if (const firma_code code = read_player_rules(rules, by, function)) return code;
         if (!there.has_stretch())
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the scene's stretch is not within 0..1");
         if (!is_finite(vec(player->ground_velocity)))

@@ -12,6 +12,7 @@
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
 #include "bindings/c/scenes.h"
+#include "bindings/c/shots_told.h"
 
 namespace firma::c {
 namespace {
@@ -36,6 +37,8 @@ Projectile projectile_of(const firma_projectile& from) {
             from.mask,          from.user,          from.world_hash, ProjectileState(from.state)};
 }
 
+}  // namespace
+
 firma_projectile projectile_told(const Projectile& from) {
     firma_projectile out{};
     put(from.position, out.position);
@@ -48,6 +51,8 @@ firma_projectile projectile_told(const Projectile& from) {
     out.state = std::uint32_t(from.state);
     return out;
 }
+
+namespace {
 
 firma_code read_projectiles(const firma_projectile* given, std::size_t count, std::vector<Projectile>& all,
                             const char* function) {
@@ -64,6 +69,8 @@ firma_code read_projectiles(const firma_projectile* given, std::size_t count, st
     return FIRMA_OK;
 }
 
+}  // namespace
+
 ShotTerms terms_of(const firma_shot_terms& from) {
     return {from.ricochet_below, from.restitution, from.friction, from.resistance};
 }
@@ -71,6 +78,8 @@ ShotTerms terms_of(const firma_shot_terms& from) {
 firma_shot_terms terms_told(const ShotTerms& from) {
     return {from.ricochet_below, from.restitution, from.friction, from.resistance};
 }
+
+namespace {
 
 /// Options, and the terms that they point to.
 struct FlyThere {
@@ -100,6 +109,8 @@ struct FlyThere {
     }
 };
 
+}  // namespace
+
 firma_shot_event event_told(const ShotEvent& from) {
     firma_shot_event out{};
     out.time = from.time;
@@ -124,6 +135,8 @@ firma_shot_event event_told(const ShotEvent& from) {
     out.part = from.part;
     return out;
 }
+
+namespace {
 
 void put_events(const ShotEvents& from, ShotEventsObject& out) {
     std::vector<firma_shot_event> events;

@@ -17,6 +17,7 @@ namespace firma::c {
 struct LevelPart {
     BrushPart brush;
     Breakable breakable;
+    bool bears = true;                   ///< `breakable` is what it bears
     std::vector<firma_part_stop> stops;  ///< of its path, as the view shows them
 };
 
@@ -38,6 +39,8 @@ struct PartThere {
     firma_code find_part(firma_parts parts, std::uint32_t index, const char* function);
 };
 
+/// A path as a caller has it.
+firma_code read_path(const firma_part_path* given, PartPath& path, const char* function);
 firma_motion motion_told(const RigidMotion& from);
 std::vector<firma_part_stop> stops_told(const PartPath& path);
 /// @param stops  of it, kept by the caller

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Firma from C: worlds, casts, players, parts that move, carving, bodies, differences, histories, edit logs, files. C99
- * and later; from C++ use the other headers.
+/* Firma from C: worlds, casts, players, parts that move, carving, bodies, games, differences, histories, edit logs,
+ * recordings, files. C99 and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces or
- * bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own
- * function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers
- * are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces,
+ * game, recording or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
+ * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
+ * always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -24,9 +24,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays, parts, bodies, debris, piercings and shot events are for one thread at a time; parts and bodies
- * that nobody changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor
- * may release the world that it is shown.)
+ * edits, logs, replays, parts, bodies, debris, games, piercings and shot events are for one thread at a time; parts and
+ * bodies that nobody changes meanwhile for many. A handle must not be released while another thread is using it. (A
+ * visitor may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -195,6 +195,12 @@ typedef struct firma_debris {
 typedef struct firma_supports {
     uint64_t id;
 } firma_supports;
+typedef struct firma_game {
+    uint64_t id;
+} firma_game;
+typedef struct firma_recording {
+    uint64_t id;
+} firma_recording;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1174,6 +1180,8 @@ FIRMA_API firma_code firma_player_shape_box(const firma_player_size* size, firma
  * radius that is not above zero, none, and more than 4,096. */
 FIRMA_API firma_code firma_player_shape_spheres(const double* standing, size_t standing_count, const double* crouched,
                                                 size_t crouched_count, const double up[3], firma_player_shape* shape);
+/* Its radius, heights and `up`, as it was made; of spheres how far they reach sideways, and up. */
+FIRMA_API firma_code firma_player_shape_get_size(firma_player_shape shape, firma_player_size* size);
 FIRMA_API firma_code firma_player_shape_release(firma_player_shape shape);
 
 /* One player between two moves. All of it may be set; firma_player_defaults() sets all, at the origin. */
@@ -1542,6 +1550,9 @@ FIRMA_API firma_code firma_mass_of_box(const double half[3], double density, fir
  * not finite, a radius, mass or inertia that is not above zero, or another count. */
 FIRMA_API firma_code firma_body_shape_spheres(const double* spheres, size_t count, const firma_mass* mass,
                                               firma_body_shape* shape);
+/* Its spheres, four doubles each, as given: `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_body_shape_get_spheres(firma_body_shape shape, double* spheres, size_t capacity,
+                                                  size_t* count);
 /* Bodies of a shape keep it: the handle may be released. */
 FIRMA_API firma_code firma_body_shape_release(firma_body_shape shape);
 
@@ -1582,6 +1593,8 @@ typedef struct firma_body {
     uint32_t reserved;
 } firma_body;
 
+/* At rest at the origin, of no mass. */
+FIRMA_API void firma_body_defaults(firma_body* body);
 /* No bodies. */
 FIRMA_API firma_code firma_bodies_create(firma_bodies* bodies);
 /* Others that go the same way from here: a snapshot. Costs their arrays; shapes are shared. */
@@ -1610,6 +1623,8 @@ FIRMA_API firma_code firma_bodies_get(firma_bodies bodies, firma_body_id id, fir
 FIRMA_API firma_code firma_bodies_set(firma_bodies bodies, firma_body_id id, const firma_body* body);
 /* Where its shape's frame is, at scale 1: where to draw what the shape was made of. */
 FIRMA_API firma_code firma_bodies_get_pose(firma_bodies bodies, firma_body_id id, firma_pose* pose);
+/* Its shape, shared. */
+FIRMA_API firma_code firma_bodies_shape(firma_bodies bodies, firma_body_id id, firma_body_shape* shape);
 /* Wakes what sleeps with it, too. */
 FIRMA_API firma_code firma_bodies_wake(firma_bodies bodies, firma_body_id id);
 /* A push at a point: newton seconds, metres; wakes it. FIRMA_ERROR_OUT_OF_RANGE for what is not finite. */
@@ -2561,6 +2576,361 @@ FIRMA_API firma_code firma_world_patch_from(firma_world world, firma_world from,
  * grows with the patch and with all faces of the world, which are judged as by firma_world_check(). */
 FIRMA_API firma_code firma_world_apply_patch(firma_world world, const void* patch, size_t length, const char* name,
                                              firma_world* patched);
+
+/* ---- games ------------------------------------------------------------------------------------------------------ */
+
+/* A whole game as one value: a world and the log of what was done to it, parts that move, players, weapons and what was
+ * fired of them, bodies, debris, rules, and the tick. What happens from outside happens between two ticks;
+ * firma_game_step() goes one tick on. The same game given the same events goes through the same bits on every machine.
+ * docs/recordings.md.
+ * A game is in one of three states: as it was made, read or copied; recorded, from firma_game_record() on; or a replay,
+ * of firma_recording_replay(). What may not be done in a state gives FIRMA_ERROR_BAD_CALL. Where memory runs out within
+ * a call that changes a game, the game is lost: all but releasing it says FIRMA_ERROR_NO_MEMORY from then on. */
+
+/* In place of a tick: never. */
+#define FIRMA_NO_TICK UINT64_MAX
+
+/* A game in a level, at tick 0, with the weapons 0 "bullet" (of 10 g, goes into solid and ricochets), 1 "rocket" (flies
+ * straight, explodes where it stops) and 2 "grenade" (bounces, explodes after 2.5 s). Where loose pieces are to be held
+ * by something else than by default, say so first: firma_world_with_anchors(). `rate`: 4 to 1,000 ticks a second, else
+ * FIRMA_ERROR_INVALID. Costs firma_log_begin(). */
+FIRMA_API firma_code firma_game_begin(firma_world level, uint32_t rate, firma_game* game);
+/* Another that goes the same way from here, neither recorded nor a replay. Costs its arrays; worlds and shapes are
+ * shared. */
+FIRMA_API firma_code firma_game_copy(firma_game game, firma_game* copy);
+FIRMA_API firma_code firma_game_release(firma_game game);
+
+typedef struct firma_game_facts {
+    uint32_t size;       /* sizeof(firma_game_facts) */
+    uint32_t rate;       /* ticks a second */
+    uint64_t tick;       /* ticks behind it */
+    uint64_t explosions; /* so far */
+    uint64_t weapons, parts, players, projectiles, bodies;
+    uint32_t recorded; /* 1: it is being recorded */
+    uint32_t replay;   /* 1: it is a replay */
+} firma_game_facts;
+
+/* Costs its slots of bodies. */
+FIRMA_API firma_code firma_game_get_facts(firma_game game, firma_game_facts* facts);
+
+/* ---- what a game goes by ---- */
+
+/* Set before anything happens, or between ticks, but not while a game is recorded, nor in a replay. */
+typedef struct firma_game_rules {
+    uint32_t size;             /* sizeof(firma_game_rules) */
+    uint32_t no_chunks;        /* 1: what carvings leave loose stays; 0: it becomes debris */
+    double min_chunk_volume;   /* cubic metres: pieces of less are lost; 0.001 */
+    double chunk_density;      /* kilograms a cubic metre; 0, the default: of each matter */
+    double max_blast_speed;    /* metres a second: a blast gives no body and no player more; 30 */
+    uint64_t seed;             /* of craters and cracks; 1 */
+    firma_step_options bodies; /* with sizes of their own, which have to be set, here and below */
+    firma_debris_rules debris; /* keep_clear is not used: players are kept clear */
+} firma_game_rules;
+
+FIRMA_API void firma_game_rules_defaults(firma_game_rules* rules);
+FIRMA_API firma_code firma_game_get_rules(firma_game game, firma_game_rules* rules);
+/* Errors as firma_bodies_step() and firma_debris_tend() have them for options and rules. */
+FIRMA_API firma_code firma_game_set_rules(firma_game game, const firma_game_rules* rules);
+
+/* What explodes. */
+typedef struct firma_charge {
+    uint32_t size;        /* sizeof(firma_charge) */
+    uint32_t shape;       /* firma_shape of the crater; FIRMA_ROCKY */
+    double crater;        /* metres, at most 8,192: its mean radius; 0: it leaves none; 1.2 */
+    double radius;        /* metres, > 0: nothing is felt from there on; 6 */
+    double impulse;       /* newton seconds a square metre that faces it, >= 0; 3,000 */
+    double break_radius;  /* metres, >= 0: debris in it that it sees breaks; 3 */
+    uint32_t max_pieces;  /* that a body breaks into at most, 1 to 4,096; 12 */
+    uint32_t reserved;    /* must be 0 */
+    const char* material; /* of the faces that the crater leaves; null: "" */
+} firma_charge;
+
+FIRMA_API void firma_charge_defaults(firma_charge* charge);
+
+/* A kind of projectile, and what becomes of it. */
+typedef struct firma_weapon {
+    uint32_t size;           /* sizeof(firma_weapon) */
+    uint32_t lies;           /* 1: one that stops lies there until its fuse ends; 0: it goes at once */
+    const char* name;        /* null: "" */
+    double mass;             /* kilograms, of a projectile, > 0; 0.01 */
+    double gravity[3];       /* 0, 0, -9.81 m/s2; at most 1,000 */
+    double pane_energy;      /* joules that it takes to go through a pane; 2^200: none does */
+    double stop_speed;       /* metres a second: what an impact leaves slower stops there; 1 */
+    double fuse;             /* seconds from when it was fired, 0 to 3,600; 10: then it goes */
+    firma_shot_terms terms;  /* of all matters, and of parts; firma_shot_terms_defaults() */
+    firma_shot_terms bodies; /* likewise */
+    uint32_t has_charge;     /* 1: it goes with `charge`; 0 */
+    uint32_t reserved;       /* must be 0 */
+    firma_charge charge;
+} firma_weapon;
+
+FIRMA_API void firma_weapon_defaults(firma_weapon* weapon);
+/* Texts are good until the weapon is set, another is added, or the game released. FIRMA_ERROR_OUT_OF_RANGE for a weapon
+ * that is not there. */
+FIRMA_API firma_code firma_game_get_weapon(firma_game game, uint32_t index, firma_weapon* weapon);
+/* Another weapon in place of one; what was fired of it flies on by it. FIRMA_ERROR_INVALID, naming it, for what is out
+ * of range. */
+FIRMA_API firma_code firma_game_set_weapon(firma_game game, uint32_t index, const firma_weapon* weapon);
+/* `index` gets its number, and may be null. Errors as above. */
+FIRMA_API firma_code firma_game_add_weapon(firma_game game, const firma_weapon* weapon, uint32_t* index);
+
+/* A part that moves, and how it goes by time. */
+typedef struct firma_game_part {
+    uint32_t size;               /* sizeof(firma_game_part) */
+    uint32_t mask;               /* met by what shares a bit with it, and with the face */
+    firma_world world;           /* the solid in the part's frame, of one room; shared: the handle may be released */
+    const firma_part_path* path; /* copied; null: it stands at the origin */
+    const char* name;            /* for messages; null: "" */
+    uint32_t entity;             /* of the level, or FIRMA_NO_PART */
+    uint32_t waits;          /* 1: set off by firma_game_set_off(), and time 0 of its path is then; 0: it is tick 0 */
+    uint32_t no_portals;     /* 1: only `portals`; 0: also those that its solid covers at its first stop, if it
+                                waits */
+    uint32_t reserved;       /* must be 0 */
+    const uint32_t* portals; /* that are closed while it stands at its first stop, and open else; may be null */
+    size_t portal_count;
+} firma_game_part;
+
+/* All bits, without a world, no entity. */
+FIRMA_API void firma_game_part_defaults(firma_game_part* part);
+/* Adds a part at its place at this tick. Parts of a level come from firma_parts_from_level(): firma_parts_world(),
+ * firma_parts_path(), and `waits_for_trigger` of firma_parts_get(). `index` gets its number, and may be null.
+ * FIRMA_ERROR_INVALID for a world of several rooms and for a path whose motion cannot be used; else errors of
+ * firma_part_path_pose(). Costs the bounds of the world, and looking for portals. */
+FIRMA_API firma_code firma_game_add_part(firma_game game, const firma_game_part* part, uint32_t* index);
+
+/* A player as it comes in, and as it is. firma_game_player_defaults() sets all but the shape. */
+typedef struct firma_game_player {
+    uint32_t size;            /* sizeof(firma_game_player) */
+    uint32_t reserved;        /* must be 0 */
+    firma_player_shape shape; /* kept: the handle may be released. Told as 0: firma_game_player_shape() */
+    double mass;              /* kilograms, > 0: what blasts push; 80 */
+    firma_player player;
+    firma_player_wish wish; /* from tick to tick, but for `jump`, which is of one tick */
+    firma_player_rules rules;
+} firma_game_player;
+
+FIRMA_API void firma_game_player_defaults(firma_game_player* player);
+
+/* ---- what happens ---- */
+
+/* Each happens at once, and where the game is recorded it is kept with the tick. Not in a replay. A weapon, player or
+ * part that is not there, and what is out of range, gives FIRMA_ERROR_INVALID; a number that is not finite
+ * FIRMA_ERROR_OUT_OF_RANGE: then nothing happened. */
+
+/* An edit of the world: a carving, a fill, a door, a group. Its numbers are not used: the log's next ones are given.
+ * What carvings leave loose becomes debris by the game's rules, whatever its `chunks` say. `status` gets a
+ * firma_carve_status, and may be null; of one that is refused firma_error_message() says why. Costs
+ * firma_command_apply(), and firma_debris_add_chunk() for each chunk. */
+FIRMA_API firma_code firma_game_edit(firma_game game, firma_command command, uint32_t* status);
+/* An explosion: firma_explode() with the next crater of the game's seed, the same crater in each part, and a push on
+ * each player by what of it is seen. firma_game_blast() tells what it did. */
+FIRMA_API firma_code firma_game_explode(firma_game game, const double at[3], const firma_charge* charge);
+/* A projectile of a weapon starts, in the air, at most 524,288 m/s fast along an axis. */
+FIRMA_API firma_code firma_game_fire(firma_game game, uint32_t weapon, const double position[3],
+                                     const double velocity[3]);
+/* A body is put in, the frame of its shape at a pose, whose scale does not count. `body`: how it moves and what it is
+ * like, of which position and rotation do not count; null: firma_body_defaults(). `id` may be null. */
+FIRMA_API firma_code firma_game_add_body(firma_game game, firma_body_shape shape, const firma_pose* pose,
+                                         const firma_body* body, firma_body_id* id);
+/* A player comes in; `index` gets its number, and may be null. */
+FIRMA_API firma_code firma_game_add_player(firma_game game, const firma_game_player* player, uint32_t* index);
+/* A player wishes something else from now on. */
+FIRMA_API firma_code firma_game_wish(firma_game game, uint32_t player, const firma_player_wish* wish);
+/* A part that waits sets off, if it stands at its first stop; else this is in vain. */
+FIRMA_API firma_code firma_game_set_off(firma_game game, uint32_t part);
+
+/* One tick on: parts go, doors open and close, players move, projectiles fly, what explodes explodes, bodies step,
+ * debris grows old. A game that is recorded keeps its hashes. A replay does what was recorded for this tick, and
+ * compares: firma_game_get_replay(); after its last tick, and after the first that is not as it was recorded, it is
+ * over, and another step gives FIRMA_ERROR_BAD_CALL. FIRMA_ERROR_INVALID, with the part, for a motion that cannot be
+ * used: the game is as it was then. The same bits on every machine. Costs a firma_move_player() a player, a firma_fly()
+ * a weapon, a firma_explode() a blast, firma_bodies_step_scene(), firma_debris_tend(). */
+FIRMA_API firma_code firma_game_step(firma_game game);
+
+/* ---- what is in a game ---- */
+
+/* The world, shared: costs a handle. */
+FIRMA_API firma_code firma_game_world(firma_game game, firma_world* world);
+/* Snapshots, to be asked with the calls that there are for them: the log of all that was done to the world; the parts
+ * where they go in the last tick, with their paths and entities; the bodies; the debris of these. Changing them changes
+ * nothing in the game. Each costs a copy of its arrays. */
+FIRMA_API firma_code firma_game_log(firma_game game, firma_log* log);
+FIRMA_API firma_code firma_game_parts(firma_game game, firma_parts* parts);
+FIRMA_API firma_code firma_game_bodies(firma_game game, firma_bodies* bodies);
+FIRMA_API firma_code firma_game_debris(firma_game game, firma_debris* debris);
+
+typedef struct firma_game_part_state {
+    uint32_t size; /* sizeof(firma_game_part_state) */
+    uint32_t mask;
+    uint32_t entity;        /* or FIRMA_NO_PART */
+    uint32_t waits;         /* 1: it has to be set off */
+    uint32_t at_first_stop; /* 1: it stands there: a door that is shut */
+    uint32_t reserved;
+    uint64_t started;    /* the tick when it was set off; FIRMA_NO_TICK: never, or it does not wait */
+    firma_motion motion; /* of the last tick */
+    const char* name;    /* good until a part is added, the game stepped or released */
+} firma_game_part_state;
+
+/* FIRMA_ERROR_OUT_OF_RANGE for a part, player or weapon that is not there, here and below. */
+FIRMA_API firma_code firma_game_get_part(firma_game game, uint32_t index, firma_game_part_state* state);
+FIRMA_API firma_code firma_game_get_player(firma_game game, uint32_t index, firma_game_player* player);
+FIRMA_API firma_code firma_game_player_shape(firma_game game, uint32_t index, firma_player_shape* shape);
+/* Those of a weapon that fly or lie: `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_game_projectiles(firma_game game, uint32_t weapon, firma_projectile* projectiles,
+                                            size_t capacity, size_t* count);
+
+/* ---- what happened ---- */
+
+/* In the last tick, and by what happened before it since the tick before; or, where something has happened since the
+ * last tick, in that alone. */
+typedef struct firma_game_report {
+    uint32_t size; /* sizeof(firma_game_report) */
+    uint32_t reserved;
+    uint64_t moves;       /* players that moved: firma_game_move() */
+    uint64_t blasts;      /* firma_game_blast() */
+    uint64_t shot_events; /* firma_game_shot_events() */
+    uint64_t edits;       /* of the world that were done: they are in the log */
+    uint64_t nothing;     /* that came to nothing */
+    uint64_t refused;     /* that were refused */
+    const char* refusal;  /* why, of the first of these; "" without any. Good until the game is changed or released */
+    uint64_t loose;       /* bodies of what came loose */
+    uint64_t broken;      /* bodies that broke */
+    uint64_t removed;     /* bodies that were too old or too many */
+    uint64_t grounded;    /* bodies that became ground */
+    firma_step_report bodies;
+} firma_game_report;
+
+FIRMA_API firma_code firma_game_get_report(firma_game game, firma_game_report* report);
+/* How a player moved in the last tick. FIRMA_ERROR_OUT_OF_RANGE for one that did not, and below for what is not there.
+ */
+FIRMA_API firma_code firma_game_move(firma_game game, uint32_t player, firma_player_move* move);
+/* A blast and its place; firma_explosion.carve is filled where its own `size` is set. `at` may be null. */
+FIRMA_API firma_code firma_game_blast(firma_game game, size_t blast, double at[3], firma_explosion* explosion);
+/* The bodies of a blast's FIRMA_DEBRIS_LOOSE or FIRMA_DEBRIS_PIECES, as firma_debris_named(). */
+FIRMA_API firma_code firma_game_blast_bodies(firma_game game, size_t blast, uint32_t list, firma_body_id* ids,
+                                             size_t capacity, size_t* count);
+/* Of all weapons one after the other; `weapons` gets the weapon of each. Either may be null. What they went through is
+ * not told: length_count is 0. */
+FIRMA_API firma_code firma_game_shot_events(firma_game game, firma_shot_event* events, uint32_t* weapons,
+                                            size_t capacity, size_t* count);
+
+/* ---- hashes and bytes of games ---- */
+
+/* What a game consists of, for comparing two. */
+typedef enum firma_game_item {
+    FIRMA_ITEM_WORLD = 0, /* one */
+    FIRMA_ITEM_PART = 1,  /* by index */
+    FIRMA_ITEM_PLAYER = 2,
+    FIRMA_ITEM_PROJECTILE = 3, /* by weapon, then index */
+    FIRMA_ITEM_BODY = 4,       /* by slot */
+    FIRMA_ITEM_DEBRIS = 5,     /* by slot */
+    FIRMA_ITEM_REST = 6        /* one: counters, contacts of bodies, rules, the log */
+} firma_game_item;
+
+/* A hash of all that the next ticks depend on. Costs all bodies and players; of the world firma_world_hash(). */
+FIRMA_API firma_code firma_game_hash(firma_game game, uint64_t* hash);
+/* 32 bits of each item of a kind: `count` gets how many, the first `capacity` are written. FIRMA_ERROR_INVALID for a
+ * kind that is none. Costs twice as much as firma_game_hash(). */
+FIRMA_API firma_code firma_game_hash_items(firma_game game, uint32_t item, uint32_t* hashes, size_t capacity,
+                                           size_t* count);
+
+/* The game as the bytes of a .firma file, whose world every reader of worlds reads: the same bytes on every machine.
+ * FIRMA_ERROR_INVALID, naming it, for what could not be read again. Costs firma_world_pack() of the world, of each part
+ * and of each piece of debris. */
+FIRMA_API firma_code firma_game_pack(firma_game game, firma_bytes* bytes);
+/* The game of such bytes, taken as hostile; stepped on, it gives the same bits. `name`, for messages, may be null.
+ * Errors of firma_world_unpack(); FIRMA_ERROR_MALFORMED for a file with a world alone. */
+FIRMA_API firma_code firma_game_unpack(const void* data, size_t length, const char* name, firma_game* game);
+/* The same in files, which appear whole or not at all. Not in the modules for browsers and node. */
+FIRMA_API firma_code firma_game_save(firma_game game, const char* path);
+FIRMA_API firma_code firma_game_load(const char* path, firma_game* game);
+
+typedef enum firma_bytes_kind {
+    FIRMA_BYTES_OTHER = 0, /* a world alone, too */
+    FIRMA_BYTES_GAME = 1,
+    FIRMA_BYTES_RECORDING = 2
+} firma_bytes_kind;
+
+/* What bytes begin as: firma_bytes_kind. Reads the head alone. */
+FIRMA_API firma_code firma_game_bytes_kind(const void* data, size_t length, uint32_t* kind);
+
+/* ---- recordings ------------------------------------------------------------------------------------------------- */
+
+/* From now on all that happens to a game is recorded, with its hashes after each tick. `level`: what it was read from,
+ * for people; may be null. FIRMA_ERROR_BAD_CALL for one that is recorded already, and for a replay. Costs a copy of the
+ * game; each tick from then on hashes of all that is in it. */
+FIRMA_API firma_code firma_game_record(firma_game game, const char* level);
+/* What was recorded so far, as a value of its own; the game goes on being recorded. FIRMA_ERROR_BAD_CALL for a game
+ * that is not recorded, and where something has happened since its last tick: step it first. Costs a copy of the game
+ * and of the recording. */
+FIRMA_API firma_code firma_game_recording(firma_game game, firma_recording* recording);
+/* As many ticks as were recorded, from the same start, by the same events: a replay, a game at its start. It is
+ * stepped by firma_game_step(), and asked as any game; a copy of it goes its own way. Costs a copy of the start. */
+FIRMA_API firma_code firma_recording_replay(firma_recording recording, firma_game* game);
+
+typedef struct firma_game_replay {
+    uint32_t size;         /* sizeof(firma_game_replay) */
+    uint32_t finished;     /* 1: it is over */
+    uint32_t differs;      /* 1: and is another game than was recorded */
+    uint32_t at_end;       /* 1: all ticks are as recorded, and the game that the recording ended with is another */
+    uint64_t ticks;        /* that are as they were recorded, */
+    uint64_t ticks_in_all; /* of these */
+    uint64_t tick;         /* where it differs: so many ticks were behind */
+    uint64_t hash;         /* of the replay then, and as recorded */
+    uint64_t recorded;
+    const char* text; /* what differs: "tick 37: the hash is ..., recorded is ...; not as recorded: player 0, body 5";
+                         or why a tick could not be done; "" else. Good until the game is released */
+} firma_game_replay;
+
+/* FIRMA_ERROR_BAD_CALL for a game that is no replay. */
+FIRMA_API firma_code firma_game_get_replay(firma_game game, firma_game_replay* replay);
+
+typedef struct firma_recording_facts {
+    uint32_t size;       /* sizeof(firma_recording_facts) */
+    uint32_t rate;       /* ticks a second */
+    uint64_t first_tick; /* of the game that it starts with */
+    uint64_t ticks;      /* that were recorded */
+    uint64_t events;
+    uint64_t level_hash; /* firma_world_hash() of the level */
+    const char* level;   /* as given to firma_game_record(). Good until the handle is released */
+} firma_recording_facts;
+
+FIRMA_API firma_code firma_recording_get_facts(firma_recording recording, firma_recording_facts* facts);
+/* The game that it starts with (`at_end` 0), or ended with (1), neither recorded nor a replay. Costs a copy of it. */
+FIRMA_API firma_code firma_recording_game(firma_recording recording, uint32_t at_end, firma_game* game);
+
+typedef enum firma_game_event_kind {
+    FIRMA_EVENT_EDIT = 0,
+    FIRMA_EVENT_BLAST = 1,
+    FIRMA_EVENT_FIRE = 2,
+    FIRMA_EVENT_BODY = 3,
+    FIRMA_EVENT_PLAYER = 4, /* comes in */
+    FIRMA_EVENT_WISH = 5,
+    FIRMA_EVENT_PART = 6 /* sets off */
+} firma_game_event_kind;
+
+/* Something that happened, for a list of it. */
+typedef struct firma_game_event {
+    uint32_t size;  /* sizeof(firma_game_event) */
+    uint32_t kind;  /* firma_game_event_kind */
+    uint64_t tick;  /* so many were behind */
+    uint32_t index; /* of the weapon, of the player that wishes, of the part; else 0 */
+    uint32_t reserved;
+    double position[3]; /* where: of edits that of the cutter; zero of doors, groups, wishes and parts */
+    double velocity[3]; /* of what was fired, of a body or a player that comes in, or wished; else zero */
+} firma_game_event;
+
+/* By tick, in the order in which they happened. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_recording_event(firma_recording recording, size_t index, firma_game_event* event);
+
+/* The bytes, and back, taken as hostile, as firma_game_unpack(). Costs firma_game_pack() twice, and the hashes. */
+FIRMA_API firma_code firma_recording_pack(firma_recording recording, firma_bytes* bytes);
+FIRMA_API firma_code firma_recording_unpack(const void* data, size_t length, const char* name,
+                                            firma_recording* recording);
+/* Not in the modules for browsers and node. */
+FIRMA_API firma_code firma_recording_save(firma_recording recording, const char* path);
+FIRMA_API firma_code firma_recording_load(const char* path, firma_recording* recording);
+FIRMA_API firma_code firma_recording_release(firma_recording recording);
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------ */
 

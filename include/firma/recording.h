@@ -144,6 +144,10 @@ public:
     FIRMA_EXPORT explicit GameReplayJob(const Recording& recording);  ///< outlives this
     /// One tick. @return true once it is finished
     FIRMA_EXPORT bool step();
+    bool finished() const { return finished_; }
+    /// After the last tick that was stepped, and what that one did.
+    const GameState& game() const { return finished_ ? replay_.game : run_.game(); }
+    const GameReport& report() const { return run_.report(); }
     const GameReplay& result() const& { return replay_; }
     GameReplay result() && { return std::move(replay_); }
 

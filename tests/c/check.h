@@ -54,6 +54,8 @@ void test_projectiles(void);
 void test_debris(void);
 void test_level_parts(void);
 void test_supports(void);
+void test_games(const char* folder);
+void test_recordings(const char* folder);
 void test_visitors(void);
 void test_structs(void);
 void test_old_names(void);

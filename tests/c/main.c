@@ -103,6 +103,8 @@ int main(int argc, char** argv) {
     test_debris();
     test_level_parts();
     test_supports();
+    test_games(argc > 1 ? argv[1] : ".");
+    test_recordings(argc > 1 ? argv[1] : ".");
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The C API of what moves when memory runs out: bodies, players, parts, projectiles, debris, what faces hold. Nothing
-// has changed, or what the call changes says that it is lost; nothing has leaked. A program of its own, as operator new
-// fails on demand.
+// The C API of what moves when memory runs out: bodies, players, parts, projectiles, debris, what faces hold, games.
+// Nothing has changed, or what the call changes says that it is lost; nothing has leaked. A program of its own, as
+// operator new fails on demand.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -406,6 +406,204 @@ TEST_F(GamesWithoutMemory, PartsThatBreakAreUnchangedOrLost) {
     };
     run(false);
     run(true);
+}
+
+/// A game in that level: a door, a player, a ball, and a rocket on its way.
+class WholeGamesWithoutMemory : public GamesWithoutMemory {
+protected:
+    WholeGamesWithoutMemory() {
+        EXPECT_EQ(firma_game_begin(world, 60, &game), FIRMA_OK);
+        EXPECT_EQ(firma_parts_world(parts, 0, &leaf), FIRMA_OK);
+        stops[0].position[0] = stops[1].position[0] = 8;
+        stops[1].position[2] = 2;
+        stops[0].seconds = stops[1].seconds = 1;
+        firma_part_path_defaults(&path);
+        path.stops = stops;
+        path.stop_count = 2;
+        firma_game_part_defaults(&part);
+        part.world = leaf;
+        part.path = &path;
+        part.name = "a door with a name that no short text holds";
+        part.waits = 1;
+        EXPECT_EQ(firma_game_add_part(game, &part, nullptr), FIRMA_OK);
+        firma_game_player_defaults(&player);
+        EXPECT_EQ(firma_player_shape_capsule(nullptr, &player.shape), FIRMA_OK);
+        player.player.position[1] = -8;
+        EXPECT_EQ(firma_game_add_player(game, &player, nullptr), FIRMA_OK);
+        EXPECT_EQ(firma_game_add_body(game, ball, &high, nullptr, nullptr), FIRMA_OK);
+        firma_charge_defaults(&charge);
+        charge.crater = 0.4;
+        charge.material = "a material with a name that no short text holds";
+    }
+    ~WholeGamesWithoutMemory() override {
+        EXPECT_EQ(firma_player_shape_release(player.shape), FIRMA_OK);
+        EXPECT_EQ(firma_world_release(leaf), FIRMA_OK);
+        EXPECT_EQ(firma_game_release(game), FIRMA_OK);
+    }
+
+    static std::uint64_t hash_of_game(firma_game of) {
+        std::uint64_t hash = 0;
+        EXPECT_EQ(firma_game_hash(of, &hash), FIRMA_OK) << firma_error_message();
+        return hash;
+    }
+
+    /// A call that changes a game, on one that `make` makes each time: it is as it was, or lost.
+    template <class Make, class Call>
+    static long change_made(const Make& make, const Call& call) {
+        for (long allocations = 0;; allocations += 1 + allocations / 8) {
+            const firma_game own = make();
+            const std::uint64_t before = hash_of_game(own);
+            firma_code code = FIRMA_ERROR_INTERNAL;
+            const std::size_t held = firma_live_handles();
+            const bool out = firma::tests::runs_out(allocations, [&] { code = call(own); });
+            EXPECT_EQ(code, out ? FIRMA_ERROR_NO_MEMORY : FIRMA_OK) << allocations << ": " << firma_error_message();
+            EXPECT_EQ(firma_live_handles(), held) << allocations;
+            std::uint64_t now = 0;
+            const firma_code after = firma_game_hash(own, &now);
+            if (out && after == FIRMA_OK) {
+                EXPECT_EQ(now, before) << allocations;
+            } else if (out) {
+                EXPECT_EQ(after, FIRMA_ERROR_NO_MEMORY) << allocations;
+                EXPECT_EQ(firma_game_step(own), FIRMA_ERROR_NO_MEMORY) << "what is lost stays lost";
+            }
+            EXPECT_EQ(firma_game_release(own), FIRMA_OK);
+            if (!out || HasFailure()) return allocations;
+        }
+    }
+    template <class Call>
+    long change_game(const Call& call) const {
+        return change_made([&] { return copy_of(false); }, call);
+    }
+    firma_game copy_of(bool recorded) const {
+        firma_game copy{};
+        EXPECT_EQ(firma_game_copy(game, &copy), FIRMA_OK);
+        if (recorded) {
+            EXPECT_EQ(firma_game_record(copy, "level"), FIRMA_OK);
+        }
+        return copy;
+    }
+
+    firma_game game{};
+    firma_world leaf{};
+    firma_part_stop stops[2]{};
+    firma_part_path path{};
+    firma_game_part part{};
+    firma_game_player player{};
+    firma_charge charge{};
+    const firma_pose high{{-8, 8, 2}, {0, 0, 0, 1}, 1};
+    const double at[3] = {-6, 8, 0.5}, way[3] = {0, 0, -40};
+};
+
+TEST_F(WholeGamesWithoutMemory, GamesAndSnapshotsAreMadeWholeOrNotAtAll) {
+    const auto make = [](const auto& call, auto& handle, const auto& release) {
+        handle.id = 77;
+        EXPECT_GT(until_enough([&] { return call(&handle); }, [&](long) { EXPECT_EQ(handle.id, 77u); }), 0);
+        EXPECT_EQ(release(handle), FIRMA_OK);
+    };
+    firma_game made{};
+    make([&](firma_game* out) { return firma_game_begin(world, 60, out); }, made, firma_game_release);
+    make([&](firma_game* out) { return firma_game_copy(game, out); }, made, firma_game_release);
+    firma_world held{};
+    make([&](firma_world* out) { return firma_game_world(game, out); }, held, firma_world_release);
+    firma_log log{};
+    make([&](firma_log* out) { return firma_game_log(game, out); }, log, firma_log_release);
+    firma_parts list{};
+    make([&](firma_parts* out) { return firma_game_parts(game, out); }, list, firma_parts_release);
+    firma_bodies all{};
+    make([&](firma_bodies* out) { return firma_game_bodies(game, out); }, all, firma_bodies_release);
+    firma_debris some{};
+    make([&](firma_debris* out) { return firma_game_debris(game, out); }, some, firma_debris_release);
+    firma_player_shape shape{};
+    make([&](firma_player_shape* out) { return firma_game_player_shape(game, 0, out); }, shape,
+         firma_player_shape_release);
+    firma_bytes bytes{77};
+    EXPECT_GT(until_enough([&] { return firma_game_pack(game, &bytes); }, [&](long) { EXPECT_EQ(bytes.id, 77u); }), 50);
+    const void* data = nullptr;
+    std::size_t length = 0;
+    EXPECT_EQ(firma_bytes_get_view(bytes, &data, &length), FIRMA_OK);
+    make([&](firma_game* out) { return firma_game_unpack(data, length, "game", out); }, made, firma_game_release);
+    EXPECT_EQ(firma_bytes_release(bytes), FIRMA_OK);
+}
+
+TEST_F(WholeGamesWithoutMemory, WhatHappensHappensOrTheGameIsLost) {
+    firma_command cut{};
+    EXPECT_EQ(firma_command_edit(1, cutter, &high, nullptr, &cut), FIRMA_OK);
+    change_game([&](firma_game it) { return firma_game_edit(it, cut, nullptr); });
+    firma_pose low = high;
+    low.position[2] = 0;
+    EXPECT_EQ(firma_command_release(cut), FIRMA_OK);
+    EXPECT_EQ(firma_command_edit(1, cutter, &low, nullptr, &cut), FIRMA_OK);
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_edit(it, cut, nullptr); }), 50);
+    EXPECT_EQ(firma_command_release(cut), FIRMA_OK);
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_explode(it, at, &charge); }), 100);
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_fire(it, 1, at, way); }), 0);
+    change_game([&](firma_game it) { return firma_game_add_body(it, ball, &high, nullptr, nullptr); });
+    change_game([&](firma_game it) { return firma_game_add_player(it, &player, nullptr); });
+    change_game([&](firma_game it) { return firma_game_wish(it, 0, &player.wish); });
+    change_game([&](firma_game it) { return firma_game_set_off(it, 0); });
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_add_part(it, &part, nullptr); }), 1);
+    firma_weapon weapon;
+    firma_weapon_defaults(&weapon);
+    weapon.name = "a weapon with a name that no short text holds";
+    weapon.has_charge = 1;
+    weapon.charge = charge;
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_add_weapon(it, &weapon, nullptr); }), 1);
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_set_weapon(it, 1, &weapon); }), 1);
+    firma_game_rules rules;
+    firma_game_rules_defaults(&rules);
+    change_game([&](firma_game it) { return firma_game_set_rules(it, &rules); });
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_record(it, "level"); }), 1);
+    // A rocket that goes off in the tick.
+    EXPECT_EQ(firma_game_fire(game, 1, at, way), FIRMA_OK);
+    EXPECT_GT(change_game([&](firma_game it) { return firma_game_step(it); }), 100);
+}
+
+TEST_F(WholeGamesWithoutMemory, RecordingsAreWholeOrNotThere) {
+    EXPECT_EQ(firma_game_fire(game, 1, at, way), FIRMA_OK);
+    const auto recorded = [&] { return copy_of(true); };
+    EXPECT_GT(change_made(recorded, [&](firma_game it) { return firma_game_step(it); }), 100);
+    EXPECT_GT(change_made(recorded, [&](firma_game it) { return firma_game_fire(it, 1, at, way); }), 1);
+
+    const firma_game own = recorded();
+    EXPECT_EQ(firma_game_step(own), FIRMA_OK);
+    const std::uint64_t before = hash_of_game(own);
+    firma_recording made{77}, read{77};
+    const auto same = [&](long) {
+        EXPECT_EQ(made.id, 77u);
+        EXPECT_EQ(hash_of_game(own), before);
+    };
+    EXPECT_GT(until_enough([&] { return firma_game_recording(own, &made); }, same), 3);
+    firma_bytes bytes{77};
+    EXPECT_GT(until_enough([&] { return firma_recording_pack(made, &bytes); }, [&](long) { EXPECT_EQ(bytes.id, 77u); }),
+              100);
+    const void* data = nullptr;
+    std::size_t length = 0;
+    EXPECT_EQ(firma_bytes_get_view(bytes, &data, &length), FIRMA_OK);
+    EXPECT_GT(until_enough([&] { return firma_recording_unpack(data, length, "recording", &read); },
+                           [&](long) { EXPECT_EQ(read.id, 77u); }),
+              100);
+    EXPECT_EQ(firma_bytes_release(bytes), FIRMA_OK);
+    for (const std::uint32_t at_end : {0u, 1u}) {
+        firma_game held{77};
+        EXPECT_GT(until_enough([&] { return firma_recording_game(read, at_end, &held); },
+                               [&](long) { EXPECT_EQ(held.id, 77u); }),
+                  1);
+        EXPECT_EQ(firma_game_release(held), FIRMA_OK);
+    }
+    firma_game replay{77};
+    EXPECT_GT(
+        until_enough([&] { return firma_recording_replay(read, &replay); }, [&](long) { EXPECT_EQ(replay.id, 77u); }),
+        2);
+    EXPECT_EQ(firma_game_release(replay), FIRMA_OK);
+    const auto make_replay = [&] {
+        firma_game it{};
+        EXPECT_EQ(firma_recording_replay(read, &it), FIRMA_OK);
+        return it;
+    };
+    EXPECT_GT(change_made(make_replay, [&](firma_game it) { return firma_game_step(it); }), 100);
+    EXPECT_EQ(firma_recording_release(read), FIRMA_OK);
+    EXPECT_EQ(firma_recording_release(made), FIRMA_OK);
+    EXPECT_EQ(firma_game_release(own), FIRMA_OK);
 }
 
 }  // namespace

@@ -113,12 +113,77 @@ export const SHOT_EVENT_KIND_NAMES = Object.freeze([
     'expired',
 ]);
 
+/** By the numbers of firma_crack_style. */
+export const CRACK_STYLE_NAMES = Object.freeze([
+    'crack_lumps',
+    'crack_bricks',
+    'crack_shards',
+]);
+
+/** By the numbers of firma_debris_list. */
+export const DEBRIS_LIST_NAMES = Object.freeze([
+    'debris_loose',
+    'debris_pieces',
+    'debris_removed',
+    'debris_to_ground',
+]);
+
+/** By the numbers of firma_when_blocked. */
+export const WHEN_BLOCKED_NAMES = Object.freeze([
+    'blocked_stops',
+    'blocked_returns',
+    'blocked_crushes',
+]);
+
+/** By the numbers of firma_support_kind. */
+export const SUPPORT_KIND_NAMES = Object.freeze([
+    'support_touches',
+    'support_stands',
+    'support_hangs',
+]);
+
+/** By the numbers of firma_support_loss. */
+export const SUPPORT_LOSS_NAMES = Object.freeze([
+    'support_kept',
+    'support_less',
+    'support_lost',
+]);
+
 /** By the numbers of firma_edit_kind. */
 export const EDIT_KIND_NAMES = Object.freeze([
     'carve',
     'fill',
     'door',
     'group',
+]);
+
+/** By the numbers of firma_game_item. */
+export const GAME_ITEM_NAMES = Object.freeze([
+    'item_world',
+    'item_part',
+    'item_player',
+    'item_projectile',
+    'item_body',
+    'item_debris',
+    'item_rest',
+]);
+
+/** By the numbers of firma_bytes_kind. */
+export const BYTES_KIND_NAMES = Object.freeze([
+    'bytes_other',
+    'bytes_game',
+    'bytes_recording',
+]);
+
+/** By the numbers of firma_game_event_kind. */
+export const GAME_EVENT_KIND_NAMES = Object.freeze([
+    'event_edit',
+    'event_blast',
+    'event_fire',
+    'event_body',
+    'event_player',
+    'event_wish',
+    'event_part',
 ]);
 
 /** firma_allocator */
@@ -898,6 +963,40 @@ export const REST = Object.freeze({
     volumeChange: 72,
 });
 
+/** firma_convex_options */
+export const CONVEX_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    maxPieces: 4,
+    maxConcavity: 8,
+    density: 16,
+});
+
+/** firma_convex_face */
+export const CONVEX_FACE = Object.freeze({
+    sizeof: 40,
+    normal: 0,
+    offset: 24,
+    first: 32,
+    count: 36,
+});
+
+/** firma_convex_piece */
+export const CONVEX_PIECE = Object.freeze({
+    sizeof: 160,
+    size: 0,
+    exact: 4,
+    mass: 8,
+    hullVolume: 120,
+    overhang: 128,
+    corners: 136,
+    cornerCount: 140,
+    faces: 144,
+    faceCount: 148,
+    loops: 152,
+    loopCount: 156,
+});
+
 /** firma_fit_options */
 export const FIT_OPTIONS = Object.freeze({
     sizeof: 24,
@@ -1073,6 +1172,346 @@ export const FLY_REPORT = Object.freeze({
     impacts: 24,
 });
 
+/** firma_pierce_end */
+export const PIERCE_END = Object.freeze({
+    sizeof: 80,
+    fraction: 0,
+    point: 8,
+    normal: 32,
+    face: 56,
+    corner: 60,
+    material: 72,
+    reserved: 76,
+});
+
+/** firma_pierce_span */
+export const PIERCE_SPAN = Object.freeze({
+    sizeof: 192,
+    in: 0,
+    out: 80,
+    thickness: 160,
+    firstLength: 168,
+    lengthCount: 172,
+    portal: 176,
+    pane: 180,
+    startsInside: 184,
+    endsInside: 188,
+});
+
+/** firma_piercing_view */
+export const PIERCING_VIEW = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    reserved: 4,
+    spans: 8,
+    spanCount: 12,
+    lengths: 16,
+    lengthCount: 20,
+    thickness: 24,
+});
+
+/** firma_pierce_options */
+export const PIERCE_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    mask: 4,
+    bothSides: 8,
+    noPanes: 12,
+    noMatters: 16,
+    reserved: 20,
+});
+
+/** firma_fracture_pattern */
+export const FRACTURE_PATTERN = Object.freeze({
+    sizeof: 112,
+    size: 0,
+    style: 4,
+    sizeOfPiece: 8,
+    growth: 32,
+    crooked: 40,
+    hasAxes: 48,
+    hasBrickCorner: 52,
+    axes: 56,
+    brickCorner: 88,
+});
+
+/** firma_fracture_options */
+export const FRACTURE_OPTIONS = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    maxPieces: 4,
+    material: 8,
+    hasImpact: 12,
+    impact: 16,
+    minVolume: 40,
+    density: 48,
+    seed: 56,
+});
+
+/** firma_debris_piece */
+export const DEBRIS_PIECE = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    matter: 4,
+    origin: 8,
+    age: 32,
+    asleepFor: 40,
+    faceCount: 48,
+    broken: 56,
+    neverGround: 60,
+    ofPart: 64,
+    reserved: 68,
+});
+
+/** firma_shatter_options */
+export const SHATTER_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    maxSpheres: 4,
+    world: 8,
+});
+
+/** firma_shattered */
+export const SHATTERED = Object.freeze({
+    sizeof: 96,
+    size: 0,
+    reserved: 4,
+    pieces: 8,
+    dust: 16,
+    cracks: 24,
+    refused: 32,
+    dustMass: 40,
+    dustMomentum: 48,
+    dustAngularMomentum: 72,
+});
+
+/** firma_debris_rules */
+export const DEBRIS_RULES = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    toGround: 4,
+    maxBodies: 8,
+    maxSpheres: 16,
+    maxAge: 24,
+    maxAsleep: 32,
+    maxToGround: 40,
+    minToGround: 48,
+    maxOverlap: 56,
+    keepClear: 64,
+    keepClearCount: 68,
+});
+
+/** firma_debris_report */
+export const DEBRIS_REPORT = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    reserved: 4,
+    removed: 8,
+    toGround: 16,
+    refused: 24,
+    waiting: 32,
+});
+
+/** firma_blast */
+export const BLAST = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    reserved: 4,
+    at: 8,
+    radius: 32,
+    impulse: 40,
+});
+
+/** firma_push_options */
+export const PUSH_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    mask: 4,
+    maxSpeed: 8,
+});
+
+/** firma_push_report */
+export const PUSH_REPORT = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    reserved: 4,
+    reached: 8,
+    pushed: 16,
+});
+
+/** firma_explode_options */
+export const EXPLODE_OPTIONS = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    maxBroken: 4,
+    maxPieces: 8,
+    maxSpheres: 12,
+    breakRadius: 16,
+    minVolume: 24,
+    seed: 32,
+    carve: 40,
+    push: 48,
+});
+
+/** firma_explosion */
+export const EXPLOSION = Object.freeze({
+    sizeof: 312,
+    size: 0,
+    status: 4,
+    loose: 8,
+    pieces: 16,
+    broken: 24,
+    unfit: 32,
+    dust: 40,
+    dustMass: 48,
+    reached: 56,
+    pushed: 64,
+    carve: 72,
+});
+
+/** firma_part_stop */
+export const PART_STOP = Object.freeze({
+    sizeof: 48,
+    position: 0,
+    angle: 24,
+    wait: 32,
+    seconds: 40,
+});
+
+/** firma_part_path */
+export const PART_PATH = Object.freeze({
+    sizeof: 128,
+    size: 0,
+    repeats: 4,
+    stops: 8,
+    stopCount: 12,
+    rotation: 16,
+    axis: 48,
+    spin: 72,
+    swingReach: 80,
+    swingAngle: 104,
+    swingPeriod: 112,
+    swingPhase: 120,
+});
+
+/** firma_part_info */
+export const PART_INFO = Object.freeze({
+    sizeof: 184,
+    size: 0,
+    entity: 4,
+    whenBlocked: 8,
+    waitsForTrigger: 12,
+    breaks: 16,
+    mask: 20,
+    low: 24,
+    high: 48,
+    faceCount: 72,
+    motion: 80,
+});
+
+/** firma_breakable */
+export const BREAKABLE = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    matter: 4,
+    health: 8,
+    whole: 16,
+    maxTaken: 24,
+    damage: 32,
+    broken: 40,
+    reserved: 44,
+});
+
+/** firma_break_options */
+export const BREAK_OPTIONS = Object.freeze({
+    sizeof: 88,
+    size: 0,
+    maxPieces: 4,
+    maxSpheres: 8,
+    unbroken: 12,
+    hasImpact: 16,
+    reserved: 20,
+    impact: 24,
+    fraction: 48,
+    seconds: 56,
+    minVolume: 64,
+    seed: 72,
+    portals: 80,
+    portalCount: 84,
+});
+
+/** firma_break_report */
+export const BREAK_REPORT = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    reserved: 4,
+    pieces: 8,
+    unfit: 16,
+    dust: 24,
+    dustMass: 32,
+    opened: 40,
+});
+
+/** firma_part_cut_options */
+export const PART_CUT_OPTIONS = Object.freeze({
+    sizeof: 112,
+    size: 0,
+    holdLargest: 4,
+    touch: 8,
+    carve: 16,
+    pieces: 24,
+});
+
+/** firma_part_cut */
+export const PART_CUT = Object.freeze({
+    sizeof: 96,
+    size: 0,
+    status: 4,
+    loose: 8,
+    unfit: 16,
+    broke: 24,
+    reserved: 28,
+    volume: 32,
+    opened: 40,
+    rest: 48,
+});
+
+/** firma_supported */
+export const SUPPORTED = Object.freeze({
+    sizeof: 72,
+    entity: 0,
+    kind: 4,
+    low: 8,
+    high: 32,
+    reach: 56,
+    mask: 64,
+    reserved: 68,
+});
+
+/** firma_support */
+export const SUPPORT = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    entity: 4,
+    kind: 8,
+    reserved: 12,
+    faceCount: 16,
+    area: 24,
+    lowered: 32,
+});
+
+/** firma_support_change */
+export const SUPPORT_CHANGE = Object.freeze({
+    sizeof: 40,
+    thing: 0,
+    entity: 4,
+    loss: 8,
+    buried: 12,
+    lost: 16,
+    before: 24,
+    after: 32,
+});
+
 /** firma_diff_view */
 export const DIFF_VIEW = Object.freeze({
     sizeof: 144,
@@ -1164,4 +1603,165 @@ export const REPLAY_FACTS = Object.freeze({
     refused: 48,
     checkpoints: 56,
     error: 64,
+});
+
+/** firma_game_facts */
+export const GAME_FACTS = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    rate: 4,
+    tick: 8,
+    explosions: 16,
+    weapons: 24,
+    parts: 32,
+    players: 40,
+    projectiles: 48,
+    bodies: 56,
+    recorded: 64,
+    replay: 68,
+});
+
+/** firma_game_rules */
+export const GAME_RULES = Object.freeze({
+    sizeof: 184,
+    size: 0,
+    noChunks: 4,
+    minChunkVolume: 8,
+    chunkDensity: 16,
+    maxBlastSpeed: 24,
+    seed: 32,
+    bodies: 40,
+    debris: 112,
+});
+
+/** firma_charge */
+export const CHARGE = Object.freeze({
+    sizeof: 56,
+    size: 0,
+    shape: 4,
+    crater: 8,
+    radius: 16,
+    impulse: 24,
+    breakRadius: 32,
+    maxPieces: 40,
+    reserved: 44,
+    material: 48,
+});
+
+/** firma_weapon */
+export const WEAPON = Object.freeze({
+    sizeof: 200,
+    size: 0,
+    lies: 4,
+    name: 8,
+    mass: 16,
+    gravity: 24,
+    paneEnergy: 48,
+    stopSpeed: 56,
+    fuse: 64,
+    terms: 72,
+    bodies: 104,
+    hasCharge: 136,
+    reserved: 140,
+    charge: 144,
+});
+
+/** firma_game_part */
+export const GAME_PART = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    mask: 4,
+    world: 8,
+    path: 16,
+    name: 20,
+    entity: 24,
+    waits: 28,
+    noPortals: 32,
+    reserved: 36,
+    portals: 40,
+    portalCount: 44,
+});
+
+/** firma_game_player */
+export const GAME_PLAYER = Object.freeze({
+    sizeof: 288,
+    size: 0,
+    reserved: 4,
+    shape: 8,
+    mass: 16,
+    player: 24,
+    wish: 152,
+    rules: 192,
+});
+
+/** firma_game_part_state */
+export const GAME_PART_STATE = Object.freeze({
+    sizeof: 144,
+    size: 0,
+    mask: 4,
+    entity: 8,
+    waits: 12,
+    atFirstStop: 16,
+    reserved: 20,
+    started: 24,
+    motion: 32,
+    name: 136,
+});
+
+/** firma_game_report */
+export const GAME_REPORT = Object.freeze({
+    sizeof: 160,
+    size: 0,
+    reserved: 4,
+    moves: 8,
+    blasts: 16,
+    shotEvents: 24,
+    edits: 32,
+    nothing: 40,
+    refused: 48,
+    refusal: 56,
+    loose: 64,
+    broken: 72,
+    removed: 80,
+    grounded: 88,
+    bodies: 96,
+});
+
+/** firma_game_replay */
+export const GAME_REPLAY = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    finished: 4,
+    differs: 8,
+    atEnd: 12,
+    ticks: 16,
+    ticksInAll: 24,
+    tick: 32,
+    hash: 40,
+    recorded: 48,
+    text: 56,
+});
+
+/** firma_recording_facts */
+export const RECORDING_FACTS = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    rate: 4,
+    firstTick: 8,
+    ticks: 16,
+    events: 24,
+    levelHash: 32,
+    level: 40,
+});
+
+/** firma_game_event */
+export const GAME_EVENT = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    kind: 4,
+    tick: 8,
+    index: 16,
+    reserved: 20,
+    position: 24,
+    velocity: 48,
 });
