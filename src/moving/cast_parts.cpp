@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts through a level and the parts that move in it.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cast/capsule_shape.h"
@@ -135,6 +137,19 @@ Hit cast_part(const PartNow& part, const Mover& mover, const Vec3& path, double 
     return cast_turning(part, mover.core(), path, latest, options);
 }
 
+/// Whether a part is beyond all that a mover reaches, wherever in its motion it is: told by balls around both, far
+/// beyond rounding. Large numbers are left to the casts, which say what is wrong with them.
+bool is_far(const MovingPart& part, const Vec3& middle, double reach, double way) {
+    constexpr double kFar = 0x1p20, kMore = 0x1p-10;  // metres
+    const Vec3 apart = middle - part.motion.position;
+    const double distance = length(apart);
+    if (!(distance < kFar)) return false;
+    Vec3 corner;
+    for (int axis = 0; axis < 3; ++axis)
+        corner[axis] = std::max(std::fabs(part.bounds().low[axis]), std::fabs(part.bounds().high[axis]));
+    return distance > length(corner) + length(part.motion.path) + reach + way + kMore;
+}
+
 /// What is met first, or anything at all.
 template <class Mover>
 PartHit cast_scene(const Scene& scene, const Mover& mover, const Vec3& path, const CastOptions& options, bool any) {
@@ -145,9 +160,11 @@ PartHit cast_scene(const Scene& scene, const Mover& mover, const Vec3& path, con
     CastOptions of_part = options;
     of_part.room = kAnyRoom;
     of_part.trail = nullptr;
+    const Vec3 middle = mover.middle();
+    const double reach = mover.reach(), way = length(path);
     for (std::size_t k = 0; k < scene.parts.size(); ++k) {
         if (first.touched() && (any || first.fraction == 0)) break;
-        if (!(scene.parts[k].mask & options.mask)) continue;
+        if (!(scene.parts[k].mask & options.mask) || is_far(scene.parts[k], middle, reach, way)) continue;
         const PartNow part(scene, scene.parts[k]);
         const Hit hit = cast_part(part, mover, path, first.fraction, of_part);
         if (hit.status == Status::kInvalid) return refused(mover.middle());
