@@ -13,4 +13,4 @@ log=build/module.log
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 { cmake --preset wasm "${launcher[@]}" && cmake --build --preset wasm; } >"$log" 2>&1 || { tail -n 60 "$log" >&2; exit 1; }
-cp build/wasm/bin/firma.wasm build/wasm/bin/firma_games.wasm build/wasm/bin/firma_readers.wasm bindings/js/src/
+cp build/wasm/bin/firma.wasm build/wasm/bin/firma_games.wasm build/wasm/bin/firma_recordings.wasm build/wasm/bin/firma_readers.wasm bindings/js/src/

@@ -35,7 +35,7 @@ must_print() {
 cmp LICENSE bindings/js/LICENSE || fail "the package's licence is not the project's"
 cp -r bindings/js "$work/without"
 rm -rf "$work/without/node_modules"
-for name in firma.wasm firma_games.wasm firma_readers.wasm; do
+for name in firma.wasm firma_games.wasm firma_recordings.wasm firma_readers.wasm; do
     mv "$work/without/src/$name" "$work/"
     ! (cd "$work/without" && npm pack) >"$log" 2>&1 || fail "npm pack packs without $name"
     grep -q "not packed: src/$name is not there" "$log" || fail "npm pack does not say why it refuses"
@@ -45,7 +45,7 @@ done
 echo "npm pack refuses without a module"
 (cd bindings/js && quietly npm pack --pack-destination "$work")
 package=$(find "$work" -maxdepth 1 -name 'firma-*.tgz')
-for name in LICENSE README.md index.d.ts readers.d.ts games.d.ts package.json src/firma.wasm src/firma_games.wasm src/firma_readers.wasm src/index.js src/readers.js src/games.js; do
+for name in LICENSE README.md index.d.ts readers.d.ts games.d.ts recordings.d.ts package.json src/firma.wasm src/firma_games.wasm src/firma_recordings.wasm src/firma_readers.wasm src/index.js src/readers.js src/games.js src/recordings.js; do
     tar -tf "$package" "package/$name" >/dev/null || fail "$name is not in the package"
 done
 ! tar -xOf "$package" package/package.json | grep -q '"private"' || fail "the package is private"

@@ -11,7 +11,7 @@ import { fresh, getMembers, orNull, putMembers, toFill } from './structs.js';
 import { putScene } from './scenes.js';
 
 const MASS_NAMES = ['volume', 'mass', 'centre', 'inertia'];
-const BODY_KINDS = {
+export const BODY_KINDS = {
     position: 'vector',
     rotation: 'quaternion',
     velocity: 'vector',
@@ -28,7 +28,7 @@ const TOLD_KINDS = { mass: 'number', asleep: 'flag', stuck: 'flag', crushed: 'fl
 const BODY_NAMES = [...Object.keys(BODY_KINDS), ...Object.keys(TOLD_KINDS)];
 const FIT_KINDS = { maxSpheres: 'word', maxError: 'number', margin: 'number' };
 const FIT_NAMES = Object.keys(FIT_KINDS);
-const STEP_KINDS = {
+export const STEP_KINDS = {
     substepsASecond: 'word',
     maxBounces: 'word',
     gravity: 'vector',
@@ -38,7 +38,7 @@ const STEP_KINDS = {
     sleepAfter: 'number',
 };
 const STEP_NAMES = Object.keys(STEP_KINDS);
-const COUNTS = ['awake', 'contacts', 'swept', 'bounces', 'woken', 'stuck', 'crushed'];
+export const COUNTS = ['awake', 'contacts', 'swept', 'bounces', 'woken', 'stuck', 'crushed'];
 /** The slot of no body, in the low half of a body's name. */
 const NO_BODY = 0xffffffffn;
 

@@ -1,86 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What `import ... from 'firma/games'` gives: the module of worlds with all that moves.
-import { Bodies, BodyShape, massOfBall, massOfBox } from './bodies.js';
-import { Firma } from './firma.js';
+import { Games } from './games_library.js';
 import { kindOf, loadLibrary } from './load_library.js';
-import { movePlayer, playerBox, playerCapsule, playerFits, playerSpheres } from './players.js';
-import { fly, hashProjectiles } from './projectiles.js';
-import { castScene, castSceneAny, overlapScene, Parts } from './scenes.js';
 
 export { Projectiles } from './projectiles.js';
 export * from './common.js';
 
 const PLACE = 'loadGames';
 const KIND = kindOf("Firma's module of games", 'firma_move_player', PLACE);
-
-class Games extends Firma {
-    #core;
-
-    constructor(core, readers) {
-        super(core, readers);
-        this.#core = core;
-    }
-
-    massOfBall(radius, density) {
-        return massOfBall(this.#core, radius, density);
-    }
-
-    massOfBox(half, density) {
-        return massOfBox(this.#core, half, density);
-    }
-
-    bodyShape(spheres, mass) {
-        return BodyShape.make(this.#core, spheres, mass);
-    }
-
-    bodies() {
-        return Bodies.create(this.#core);
-    }
-
-    parts() {
-        return Parts.create(this.#core);
-    }
-
-    castScene(scene, input, options) {
-        return castScene(this.#core, scene, input, options);
-    }
-
-    castSceneAny(scene, input, options) {
-        return castSceneAny(this.#core, scene, input, options);
-    }
-
-    overlapScene(scene, shape, options) {
-        return overlapScene(this.#core, scene, shape, options);
-    }
-
-    playerCapsule(size) {
-        return playerCapsule(this.#core, size);
-    }
-
-    playerBox(size) {
-        return playerBox(this.#core, size);
-    }
-
-    playerSpheres(standing, crouched, up) {
-        return playerSpheres(this.#core, standing, crouched, up);
-    }
-
-    movePlayer(scene, shape, player, wish, seconds, rules) {
-        return movePlayer(this.#core, scene, shape, player, wish, seconds, rules);
-    }
-
-    playerFits(scene, shape, position, options) {
-        return playerFits(this.#core, scene, shape, position, options);
-    }
-
-    fly(projectiles, world, seconds, options) {
-        return fly(this.#core, projectiles, world, seconds, options);
-    }
-
-    hashProjectiles(projectiles) {
-        return hashProjectiles(this.#core, projectiles);
-    }
-}
 
 export async function loadGames(source = new URL('./firma_games.wasm', import.meta.url), options = undefined) {
     return loadLibrary(source, options, PLACE, KIND, Games);

@@ -159,31 +159,31 @@ export const EDIT_KIND_NAMES = Object.freeze([
 
 /** By the numbers of firma_game_item. */
 export const GAME_ITEM_NAMES = Object.freeze([
-    'item_world',
-    'item_part',
-    'item_player',
-    'item_projectile',
-    'item_body',
-    'item_debris',
-    'item_rest',
+    'world',
+    'part',
+    'player',
+    'projectile',
+    'body',
+    'debris',
+    'rest',
 ]);
 
 /** By the numbers of firma_bytes_kind. */
 export const BYTES_KIND_NAMES = Object.freeze([
-    'bytes_other',
-    'bytes_game',
-    'bytes_recording',
+    'other',
+    'game',
+    'recording',
 ]);
 
 /** By the numbers of firma_game_event_kind. */
 export const GAME_EVENT_KIND_NAMES = Object.freeze([
-    'event_edit',
-    'event_blast',
-    'event_fire',
-    'event_body',
-    'event_player',
-    'event_wish',
-    'event_part',
+    'edit',
+    'blast',
+    'fire',
+    'body',
+    'player',
+    'wish',
+    'part',
 ]);
 
 /** firma_allocator */

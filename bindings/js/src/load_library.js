@@ -14,7 +14,7 @@ export const kindOf = (name, has, load) => ({
 /** Where the readers are unless the caller says: beside a module of his, else where the package has them. */
 function readersBeside(source) {
     const named = typeof Response === 'function' && source instanceof Response ? source.url : source;
-    const parts = /^(|.*[/\\])firma(?:_games)?\.wasm([?#].*)?$/.exec(
+    const parts = /^(|.*[/\\])firma(?:_games|_recordings)?\.wasm([?#].*)?$/.exec(
         typeof named === 'string' || named instanceof URL ? named : '',
     );
     return parts ? `${parts[1]}firma_readers.wasm${parts[2] ?? ''}` : new URL('./firma_readers.wasm', import.meta.url);

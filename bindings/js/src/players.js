@@ -16,12 +16,12 @@ import { doubles, flag, longWord, mask, number, object, vector } from './argumen
 import { fresh, getMembers, orNone, orNull, putMembers, toFill } from './structs.js';
 import { putScene } from './scenes.js';
 
-const SIZE_KINDS = { radius: 'number', height: 'number', crouchedHeight: 'number', up: 'vector' };
+export const SIZE_KINDS = { radius: 'number', height: 'number', crouchedHeight: 'number', up: 'vector' };
 const SIZE_NAMES = Object.keys(SIZE_KINDS);
-const WISH_KINDS = { jump: 'flag', crouch: 'flag', careful: 'flag', velocity: 'vector' };
+export const WISH_KINDS = { jump: 'flag', crouch: 'flag', careful: 'flag', velocity: 'vector' };
 const WISH_NAMES = Object.keys(WISH_KINDS);
 const RULE_NAMES = Object.keys(PLAYER_RULES).filter((name) => !['sizeof', 'size', 'reserved'].includes(name));
-const RULE_KINDS = Object.fromEntries(RULE_NAMES.map((name) => [name, 'number']));
+export const RULE_KINDS = Object.fromEntries(RULE_NAMES.map((name) => [name, 'number']));
 const PLAYER_KINDS = {
     position: 'vector',
     velocity: 'vector',
@@ -71,9 +71,11 @@ export function getPlayer(core, at) {
 }
 
 /** Over the defaults. @returns the address of the struct */
-export function putPlayer(core, player, place) {
+const putPlayer = (core, player, place) => putPlayerAt(core, fresh(core, 'player'), player, place);
+
+/** Over what is there. @returns the address */
+export function putPlayerAt(core, at, player, place) {
     const given = object(player, place, 'the player', PLAYER_NAMES);
-    const at = fresh(core, 'player');
     putMembers(core, at, PLAYER, PLAYER_KINDS, given, place);
     const { worldHash, room, groundPart } = given;
     if (worldHash !== undefined) core.setU64(at + PLAYER.worldHash, longWord(worldHash, place, 'worldHash'));
@@ -110,7 +112,7 @@ function getContact(core, at) {
     };
 }
 
-function getMove(core, at) {
+export function getMove(core, at) {
     const contacts = [];
     for (let k = 0; k < core.getU32(at + PLAYER_MOVE.contactCount); ++k)
         contacts.push(getContact(core, at + PLAYER_MOVE.contacts + k * PLAYER_CONTACT.sizeof));

@@ -22,7 +22,7 @@ const SIZE = PROJECTILE.sizeof;
 const NAMES = ['position', 'velocity', 'mass', 'age', 'mask', 'user', 'worldHash', 'state'];
 /** As firma_projectile_defaults() has them. */
 const DEFAULTS = { position: [0, 0, 0], velocity: [0, 0, 0], mass: 0.01, age: 0, mask: 0xffffffff, user: 0, worldHash: 0n, state: 'flying' };
-const TERM_KINDS = { ricochetBelow: 'number', restitution: 'number', friction: 'number', resistance: 'number' };
+export const TERM_KINDS = { ricochetBelow: 'number', restitution: 'number', friction: 'number', resistance: 'number' };
 const TERM_NAMES = Object.keys(TERM_KINDS);
 const FLY_KINDS = {
     maxImpacts: 'word',
@@ -165,6 +165,14 @@ export class Projectiles {
     }
 }
 
+/** Those that lie at an address. */
+export function getProjectiles(core, at, count) {
+    const projectiles = new Projectiles();
+    for (let k = 0; k < count; ++k) projectiles.add({});
+    projectiles[BYTES].set(core.u8.subarray(at, at + count * SIZE));
+    return projectiles;
+}
+
 function bytesOf(projectiles, place) {
     if (!(projectiles instanceof Projectiles)) throw badCall(place, 'the projectiles must be Projectiles');
     return projectiles[BYTES];
@@ -197,7 +205,7 @@ function putFlyOptions(core, lent, given, place) {
     return at;
 }
 
-function getEvent(core, at, lengths) {
+export function getEvent(core, at, lengths) {
     const three = (name) => core.getVector(at + SHOT_EVENT[name]);
     const corner = (at + SHOT_EVENT.corner) >>> 2;
     const first = core.getU32(at + SHOT_EVENT.firstLength);

@@ -22,12 +22,9 @@ const STRUCTS = {
     stepReport: [layout.STEP_REPORT],
 };
 
-/** Of each instance of the module: by name the address, and the bytes to begin with. */
-const placed = new WeakMap();
-
-function place(core) {
+function place(core, structs) {
     const all = {};
-    for (const [name, [{ sizeof, size }, setDefaults]] of Object.entries(STRUCTS)) {
+    for (const [name, [{ sizeof, size }, setDefaults]] of Object.entries(structs)) {
         const at = core.take(sizeof);
         core.u8.fill(0, at, at + sizeof);
         if (size !== undefined) core.setU32(at + size, sizeof);
@@ -37,21 +34,28 @@ function place(core) {
     return all;
 }
 
-function find(core, name) {
-    let all = placed.get(core);
-    if (all === undefined) placed.set(core, (all = place(core)));
-    return all[name];
+/** Of such structs, which are placed when the first of them is needed: fresh() and toFill(). */
+export function structTable(structs) {
+    /** Of each instance of the module: by name the address, and the bytes to begin with. */
+    const placed = new WeakMap();
+    const find = (core, name) => {
+        let all = placed.get(core);
+        if (all === undefined) placed.set(core, (all = place(core, structs)));
+        return all[name];
+    };
+    return {
+        /** The address of a struct that is as by default. */
+        fresh: (core, name) => {
+            const { at, bytes } = find(core, name);
+            core.u8.set(bytes, at);
+            return at;
+        },
+        /** The address of a struct that a call fills; its size is set. */
+        toFill: (core, name) => find(core, name).at,
+    };
 }
 
-/** The address of a struct that is as by default. */
-export function fresh(core, name) {
-    const { at, bytes } = find(core, name);
-    core.u8.set(bytes, at);
-    return at;
-}
-
-/** The address of a struct that a call fills; its size is set. */
-export const toFill = (core, name) => find(core, name).at;
+export const { fresh, toFill } = structTable(STRUCTS);
 
 /** How a member is checked and put: by its kind. */
 const PUT = {

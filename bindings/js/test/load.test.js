@@ -11,6 +11,7 @@ import { boxMesh, firma, levelBytes, readersUrl, wasmUrl } from './helpers.js';
 
 const bytes = await readFile(wasmUrl);
 const gamesUrl = new URL('../src/firma_games.wasm', import.meta.url);
+const recordingsUrl = new URL('../src/firma_recordings.wasm', import.meta.url);
 
 /** Serves the module, and what goes wrong, until work(address) is done. */
 async function serving(work) {
@@ -99,7 +100,7 @@ test('the modules ask their host for the time and for visitors alone', async () 
     const importsOf = async (url) => WebAssembly.Module.imports(await WebAssembly.compile(await readFile(url)));
     const now = { module: 'firma', name: 'now', kind: 'function' };
     const visit = { module: 'firma', name: 'visit', kind: 'function' };
-    for (const url of [wasmUrl, gamesUrl]) assert.deepEqual(await importsOf(url), [now, visit]);
+    for (const url of [wasmUrl, gamesUrl, recordingsUrl]) assert.deepEqual(await importsOf(url), [now, visit]);
     for (const one of await importsOf(readersUrl)) assert.deepEqual(one, now);
 });
 
@@ -107,6 +108,7 @@ test('the modules are small', async () => {
     for (const [name, url, bound] of [
         ['firma.wasm', wasmUrl, 450_000],
         ['firma_games.wasm', gamesUrl, 540_000],
+        ['firma_recordings.wasm', recordingsUrl, 620_000],
         ['firma_readers.wasm', readersUrl, 240_000],
     ]) {
         const module = await readFile(url);

@@ -10,7 +10,9 @@ import { fileURLToPath } from 'node:url';
 import * as gamesPackage from '../src/games.js';
 import * as firmaPackage from '../src/index.js';
 import * as readersPackage from '../src/readers.js';
-import { games } from './game_helpers.js';
+import * as recordingsPackage from '../src/recordings.js';
+import { games, makeRoom } from './game_helpers.js';
+import { recordings } from './recording_helpers.js';
 import { firma, readers } from './helpers.js';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -57,12 +59,13 @@ test('types name what there is, and nothing else', () => {
         ['index.d.ts', firmaPackage],
         ['readers.d.ts', readersPackage],
         ['games.d.ts', gamesPackage],
+        ['recordings.d.ts', recordingsPackage],
     ]) {
         const declared = [...typesOf(file).matchAll(/^export (?:const|class|function) (\w+)/gm)].map((m) => m[1]);
         for (const [, names] of typesOf(file).matchAll(/^export {([^}]*)} from/gm)) declared.push(...names.match(/\w+/g));
         assert.deepEqual(declared.sort(), Object.keys(entry).sort());
     }
-    const types = ['index.d.ts', 'readers.d.ts', 'games.d.ts'].map(typesOf).join('');
+    const types = ['index.d.ts', 'readers.d.ts', 'games.d.ts', 'recordings.d.ts'].map(typesOf).join('');
     const world = firma.worldFromMesh({ positions: [0, 0, 0, 4, 0, 0, 0, 4, 0], corners: [0, 1, 2] });
     const cutter = firma.crater('box', 1);
     const objects = {
@@ -78,7 +81,13 @@ test('types name what there is, and nothing else', () => {
         Games: games,
         Bodies: games.bodies(),
         Parts: games.parts(),
+        Recordings: recordings,
     };
+    const level = makeRoom(recordings);
+    objects.Game = recordings.game(level);
+    objects.Game.record();
+    objects.Recording = objects.Game.recording();
+    level.release();
     objects.Replay = objects.EditLog.replay(world);
     objects.Job = world.startCarve(cutter, { position: [0, 0, 0] });
     for (const [name, object] of Object.entries(objects)) {
@@ -93,8 +102,8 @@ test('types name what there is, and nothing else', () => {
 test('the package has its files, and the lock names no host', () => {
     const result = spawnSync('npm', ['pack', '--dry-run', '--json'], { cwd: root, encoding: 'utf8' });
     const files = JSON.parse(result.stdout)[0].files.map((file) => file.path);
-    const code = ['index', 'readers', 'games', 'layout'].map((name) => `src/${name}.js`);
-    for (const name of ['src/firma.wasm', 'src/firma_games.wasm', 'src/firma_readers.wasm', ...code, 'index.d.ts', 'readers.d.ts', 'games.d.ts', 'README.md', 'LICENSE', 'package.json'])
+    const code = ['index', 'readers', 'games', 'recordings', 'layout'].map((name) => `src/${name}.js`);
+    for (const name of ['src/firma.wasm', 'src/firma_games.wasm', 'src/firma_recordings.wasm', 'src/firma_readers.wasm', ...code, 'index.d.ts', 'readers.d.ts', 'games.d.ts', 'recordings.d.ts', 'README.md', 'LICENSE', 'package.json'])
         assert.ok(files.includes(name), `${name} is not in the package`);
     assert.ok(
         files.every((name) => !/^(test|tools|node_modules)\//.test(name)),

@@ -76,6 +76,17 @@ import {
     type ShotEvent,
     type StepReport,
 } from 'firma/games';
+import {
+    loadRecordings,
+    type Game,
+    type GameBlast,
+    type GameEvent,
+    type GameReport,
+    type Recording,
+    type Recordings,
+    type ReplayState,
+    type Weapon,
+} from 'firma/recordings';
 
 const firma = await loadFirma();
 await loadFirma('firma.wasm');
@@ -179,8 +190,8 @@ const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (r
 const meshes: RegionMesh[] = world.regionMeshes({ size: 16, mask: ~8, solidOnly: true, textureSizes: [64, 64] });
 const newer: RegionMesh[] = world.changedRegionMeshes(world.copy(), { textures: false });
 const drawn: RegionRun | undefined = meshes[0]?.runs[0];
-const parts: RegionParts = newer[0]!.parts;
-world.face({ id: parts.faces[0]!, corner: parts.faceCorners.subarray(0, 3) });
+const partsDrawn: RegionParts = newer[0]!.parts;
+world.face({ id: partsDrawn.faces[0]!, corner: partsDrawn.faceCorners.subarray(0, 3) });
 const laidOut: number = meshes[0]!.tangents[3]! + meshes[0]!.blends[3]! + meshes[0]!.place[0] + (drawn?.cut ? 1 : 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
@@ -366,7 +377,7 @@ const state: Body = bodies.get(bodyId);
 bodies.set(chunkId, { ...state, velocity: Float64Array.of(1, 2, 3) });
 bodies.push(bodyId, [0, 0, 1], state.position);
 const ids: BodyId[] = bodies.list();
-const where: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
+const places: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
 const parts: Parts = games.parts();
 const lift: number = parts.add({ world: level3, mask: 1, motion: { position: [0, 0, 0], path: [0, 0, 1] } });
 parts.set(lift, { world: level3 });
@@ -403,3 +414,50 @@ games.movePlayer(level3, capsule, player, { run: true }, 1 / 60);
 // @ts-expect-error a state that is none
 shots.add({ state: 'gone' });
 export { alsoFirma, ids, where, stepped, other, partOf, sceneAny, overlapped, fits, shot, events, shotHash };
+
+// ---- recordings
+
+const recordings: Recordings = await loadRecordings();
+await loadRecordings(fetch('firma_recordings.wasm'), { readers: new URL('http://localhost/firma_readers.wasm') });
+const alsoGames: Games = recordings;
+const level4: World = await recordings.worldFromObj('v 0 0 0');
+const game: Game = recordings.game(level4, 60);
+game.setRules({ ...game.rules(), seed: 2n, chunks: false, debris: { maxBodies: 9 }, bodies: { gravity: [0, 0, -1] } });
+const weapon: Required<Weapon> = game.weapon(1);
+game.setWeapon(1, { ...weapon, charge: { crater: 1, shape: 'spiky', material: 'soot' } });
+const mortar: number = game.addWeapon({ name: 'mortar', terms: { friction: 1 }, lies: true });
+const doorPart: number = game.addPart({ world: level4, waits: true, path: { stops: [{ wait: Infinity }], swing: { period: 2 } }, portals: [1] });
+const status: 'done' | 'nothing' | 'refused' = game.edit(recordings.doorCommand(1, 0, true));
+game.explode([0, 0, 0], { breakRadius: 2 });
+game.fire(mortar, [0, 0, 0], [1, 0, 0]);
+const put: BodyId = game.addBody(ballShape, { position: [0, 0, 0] }, { velocity: [1, 0, 0], friction: 0.5 });
+const came: number = game.addPlayer({ shape: capsule, player: { position: [0, 0, 0] }, wish: { jump: true }, rules: { maxSlope: 1 } });
+game.wish(came, { velocity: [1, 0, 0] });
+game.setOff(doorPart);
+game.record('level');
+game.step();
+const started: number | null = game.part(doorPart).started;
+const tall: number = game.playerSize(came).height;
+const eye: Player = game.player(came).player;
+const flying: Projectiles = game.projectiles(1);
+const gameReport: GameReport = game.report();
+const gameBlast: GameBlast | undefined = gameReport.blasts[0];
+const shotBy: number | undefined = gameReport.shotEvents[0]?.weapon;
+const solids: World[] = [game.world(), game.bodySolid(put)];
+const spheres: Float64Array = game.bodySpheres(put);
+const gameHash: bigint = game.hash();
+const parted: Uint32Array = game.hashItems('part');
+const packed: Uint8Array = game.pack();
+const taped: Recording = game.recording();
+const tapedEvent: GameEvent = taped.event(0);
+const replayed: Game = recordings.unpackRecording(taped.pack(), 'a').replay();
+const replayState: ReplayState = replayed.replayState();
+const kindOf: 'other' | 'game' | 'recording' = recordings.kindOfBytes(packed);
+const made: Game[] = [taped.start(), taped.end(), recordings.unpackGame(packed), game.copy()];
+// @ts-expect-error no such item
+game.hashItems('door');
+// @ts-expect-error a pose says where it is
+game.addBody(ballShape, { position: [0, 0, 0] }, { position: [1, 0, 0] });
+// @ts-expect-error nothing recorded is of games
+games.game(level4);
+export { alsoGames, status, started, tall, eye, flying, gameBlast, shotBy, solids, spheres, gameHash, parted, tapedEvent, replayState, kindOf, made };
