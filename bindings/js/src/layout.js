@@ -113,6 +113,42 @@ export const SHOT_EVENT_KIND_NAMES = Object.freeze([
     'expired',
 ]);
 
+/** By the numbers of firma_crack_style. */
+export const CRACK_STYLE_NAMES = Object.freeze([
+    'crack_lumps',
+    'crack_bricks',
+    'crack_shards',
+]);
+
+/** By the numbers of firma_debris_list. */
+export const DEBRIS_LIST_NAMES = Object.freeze([
+    'debris_loose',
+    'debris_pieces',
+    'debris_removed',
+    'debris_to_ground',
+]);
+
+/** By the numbers of firma_when_blocked. */
+export const WHEN_BLOCKED_NAMES = Object.freeze([
+    'blocked_stops',
+    'blocked_returns',
+    'blocked_crushes',
+]);
+
+/** By the numbers of firma_support_kind. */
+export const SUPPORT_KIND_NAMES = Object.freeze([
+    'support_touches',
+    'support_stands',
+    'support_hangs',
+]);
+
+/** By the numbers of firma_support_loss. */
+export const SUPPORT_LOSS_NAMES = Object.freeze([
+    'support_kept',
+    'support_less',
+    'support_lost',
+]);
+
 /** By the numbers of firma_edit_kind. */
 export const EDIT_KIND_NAMES = Object.freeze([
     'carve',
@@ -898,6 +934,40 @@ export const REST = Object.freeze({
     volumeChange: 72,
 });
 
+/** firma_convex_options */
+export const CONVEX_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    maxPieces: 4,
+    maxConcavity: 8,
+    density: 16,
+});
+
+/** firma_convex_face */
+export const CONVEX_FACE = Object.freeze({
+    sizeof: 40,
+    normal: 0,
+    offset: 24,
+    first: 32,
+    count: 36,
+});
+
+/** firma_convex_piece */
+export const CONVEX_PIECE = Object.freeze({
+    sizeof: 160,
+    size: 0,
+    exact: 4,
+    mass: 8,
+    hullVolume: 120,
+    overhang: 128,
+    corners: 136,
+    cornerCount: 140,
+    faces: 144,
+    faceCount: 148,
+    loops: 152,
+    loopCount: 156,
+});
+
 /** firma_fit_options */
 export const FIT_OPTIONS = Object.freeze({
     sizeof: 24,
@@ -1068,6 +1138,346 @@ export const FLY_REPORT = Object.freeze({
     flying: 8,
     chords: 16,
     impacts: 24,
+});
+
+/** firma_pierce_end */
+export const PIERCE_END = Object.freeze({
+    sizeof: 80,
+    fraction: 0,
+    point: 8,
+    normal: 32,
+    face: 56,
+    corner: 60,
+    material: 72,
+    reserved: 76,
+});
+
+/** firma_pierce_span */
+export const PIERCE_SPAN = Object.freeze({
+    sizeof: 192,
+    in: 0,
+    out: 80,
+    thickness: 160,
+    firstLength: 168,
+    lengthCount: 172,
+    portal: 176,
+    pane: 180,
+    startsInside: 184,
+    endsInside: 188,
+});
+
+/** firma_piercing_view */
+export const PIERCING_VIEW = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    reserved: 4,
+    spans: 8,
+    spanCount: 12,
+    lengths: 16,
+    lengthCount: 20,
+    thickness: 24,
+});
+
+/** firma_pierce_options */
+export const PIERCE_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    mask: 4,
+    bothSides: 8,
+    noPanes: 12,
+    noMatters: 16,
+    reserved: 20,
+});
+
+/** firma_fracture_pattern */
+export const FRACTURE_PATTERN = Object.freeze({
+    sizeof: 112,
+    size: 0,
+    style: 4,
+    sizeOfPiece: 8,
+    growth: 32,
+    crooked: 40,
+    hasAxes: 48,
+    hasBrickCorner: 52,
+    axes: 56,
+    brickCorner: 88,
+});
+
+/** firma_fracture_options */
+export const FRACTURE_OPTIONS = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    maxPieces: 4,
+    material: 8,
+    hasImpact: 12,
+    impact: 16,
+    minVolume: 40,
+    density: 48,
+    seed: 56,
+});
+
+/** firma_debris_piece */
+export const DEBRIS_PIECE = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    matter: 4,
+    origin: 8,
+    age: 32,
+    asleepFor: 40,
+    faceCount: 48,
+    broken: 56,
+    neverGround: 60,
+    ofPart: 64,
+    reserved: 68,
+});
+
+/** firma_shatter_options */
+export const SHATTER_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    maxSpheres: 4,
+    world: 8,
+});
+
+/** firma_shattered */
+export const SHATTERED = Object.freeze({
+    sizeof: 96,
+    size: 0,
+    reserved: 4,
+    pieces: 8,
+    dust: 16,
+    cracks: 24,
+    refused: 32,
+    dustMass: 40,
+    dustMomentum: 48,
+    dustAngularMomentum: 72,
+});
+
+/** firma_debris_rules */
+export const DEBRIS_RULES = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    toGround: 4,
+    maxBodies: 8,
+    maxSpheres: 16,
+    maxAge: 24,
+    maxAsleep: 32,
+    maxToGround: 40,
+    minToGround: 48,
+    maxOverlap: 56,
+    keepClear: 64,
+    keepClearCount: 68,
+});
+
+/** firma_debris_report */
+export const DEBRIS_REPORT = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    reserved: 4,
+    removed: 8,
+    toGround: 16,
+    refused: 24,
+    waiting: 32,
+});
+
+/** firma_blast */
+export const BLAST = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    reserved: 4,
+    at: 8,
+    radius: 32,
+    impulse: 40,
+});
+
+/** firma_push_options */
+export const PUSH_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    mask: 4,
+    maxSpeed: 8,
+});
+
+/** firma_push_report */
+export const PUSH_REPORT = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    reserved: 4,
+    reached: 8,
+    pushed: 16,
+});
+
+/** firma_explode_options */
+export const EXPLODE_OPTIONS = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    maxBroken: 4,
+    maxPieces: 8,
+    maxSpheres: 12,
+    breakRadius: 16,
+    minVolume: 24,
+    seed: 32,
+    carve: 40,
+    push: 48,
+});
+
+/** firma_explosion */
+export const EXPLOSION = Object.freeze({
+    sizeof: 312,
+    size: 0,
+    status: 4,
+    loose: 8,
+    pieces: 16,
+    broken: 24,
+    unfit: 32,
+    dust: 40,
+    dustMass: 48,
+    reached: 56,
+    pushed: 64,
+    carve: 72,
+});
+
+/** firma_part_stop */
+export const PART_STOP = Object.freeze({
+    sizeof: 48,
+    position: 0,
+    angle: 24,
+    wait: 32,
+    seconds: 40,
+});
+
+/** firma_part_path */
+export const PART_PATH = Object.freeze({
+    sizeof: 128,
+    size: 0,
+    repeats: 4,
+    stops: 8,
+    stopCount: 12,
+    rotation: 16,
+    axis: 48,
+    spin: 72,
+    swingReach: 80,
+    swingAngle: 104,
+    swingPeriod: 112,
+    swingPhase: 120,
+});
+
+/** firma_part_info */
+export const PART_INFO = Object.freeze({
+    sizeof: 184,
+    size: 0,
+    entity: 4,
+    whenBlocked: 8,
+    waitsForTrigger: 12,
+    breaks: 16,
+    mask: 20,
+    low: 24,
+    high: 48,
+    faceCount: 72,
+    motion: 80,
+});
+
+/** firma_breakable */
+export const BREAKABLE = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    matter: 4,
+    health: 8,
+    whole: 16,
+    maxTaken: 24,
+    damage: 32,
+    broken: 40,
+    reserved: 44,
+});
+
+/** firma_break_options */
+export const BREAK_OPTIONS = Object.freeze({
+    sizeof: 88,
+    size: 0,
+    maxPieces: 4,
+    maxSpheres: 8,
+    unbroken: 12,
+    hasImpact: 16,
+    reserved: 20,
+    impact: 24,
+    fraction: 48,
+    seconds: 56,
+    minVolume: 64,
+    seed: 72,
+    portals: 80,
+    portalCount: 84,
+});
+
+/** firma_break_report */
+export const BREAK_REPORT = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    reserved: 4,
+    pieces: 8,
+    unfit: 16,
+    dust: 24,
+    dustMass: 32,
+    opened: 40,
+});
+
+/** firma_part_cut_options */
+export const PART_CUT_OPTIONS = Object.freeze({
+    sizeof: 112,
+    size: 0,
+    holdLargest: 4,
+    touch: 8,
+    carve: 16,
+    pieces: 24,
+});
+
+/** firma_part_cut */
+export const PART_CUT = Object.freeze({
+    sizeof: 96,
+    size: 0,
+    status: 4,
+    loose: 8,
+    unfit: 16,
+    broke: 24,
+    reserved: 28,
+    volume: 32,
+    opened: 40,
+    rest: 48,
+});
+
+/** firma_supported */
+export const SUPPORTED = Object.freeze({
+    sizeof: 72,
+    entity: 0,
+    kind: 4,
+    low: 8,
+    high: 32,
+    reach: 56,
+    mask: 64,
+    reserved: 68,
+});
+
+/** firma_support */
+export const SUPPORT = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    entity: 4,
+    kind: 8,
+    reserved: 12,
+    faceCount: 16,
+    area: 24,
+    lowered: 32,
+});
+
+/** firma_support_change */
+export const SUPPORT_CHANGE = Object.freeze({
+    sizeof: 40,
+    thing: 0,
+    entity: 4,
+    loss: 8,
+    buried: 12,
+    lost: 16,
+    before: 24,
+    after: 32,
 });
 
 /** firma_diff_view */

@@ -179,8 +179,8 @@ const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (r
 const meshes: RegionMesh[] = world.regionMeshes({ size: 16, mask: ~8, solidOnly: true, textureSizes: [64, 64] });
 const newer: RegionMesh[] = world.changedRegionMeshes(world.copy(), { textures: false });
 const drawn: RegionRun | undefined = meshes[0]?.runs[0];
-const parts: RegionParts = newer[0]!.parts;
-world.face({ id: parts.faces[0]!, corner: parts.faceCorners.subarray(0, 3) });
+const partsDrawn: RegionParts = newer[0]!.parts;
+world.face({ id: partsDrawn.faces[0]!, corner: partsDrawn.faceCorners.subarray(0, 3) });
 const laidOut: number = meshes[0]!.tangents[3]! + meshes[0]!.blends[3]! + meshes[0]!.place[0] + (drawn?.cut ? 1 : 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
@@ -366,7 +366,7 @@ const state: Body = bodies.get(bodyId);
 bodies.set(chunkId, { ...state, velocity: Float64Array.of(1, 2, 3) });
 bodies.push(bodyId, [0, 0, 1], state.position);
 const ids: BodyId[] = bodies.list();
-const where: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
+const places: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
 const parts: Parts = games.parts();
 const lift: number = parts.add({ world: level3, mask: 1, motion: { position: [0, 0, 0], path: [0, 0, 1] } });
 parts.set(lift, { world: level3 });
