@@ -291,7 +291,8 @@ GameScript read_game_script(const std::string& path, GameState& game, std::uint6
         fields.emplace_back(list[k], fmt::format("{}: event {}", path, k));
         order.push_back({tick_of(fields[k].number("time", std::nullopt, 0, 1e6), game), k});
     }
-    std::stable_sort(order.begin(), order.end(), [](const Timed& a, const Timed& b) { return a.tick < b.tick; });
+    std::sort(order.begin(), order.end(),
+              [](const Timed& a, const Timed& b) { return a.tick != b.tick ? a.tick < b.tick : a.index < b.index; });
     GameScript made;
     EventReader reader{game, game.players.size()};
     for (const Timed& timed : order) {

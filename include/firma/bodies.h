@@ -124,7 +124,9 @@ struct Bodies {
 [[nodiscard]] FIRMA_EXPORT Pose pose_of(const Body& body);
 /// A body at rest, with the frame of its shape here; the scale does not count.
 [[nodiscard]] FIRMA_EXPORT Body body_at(const BodyShape& shape, const Pose& pose);
-/// A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass.
+/// A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass. Its resistance to rolling is
+/// half of SphereFit::error, as a share of the largest sphere, 0.02 to 0.5: one that is a single sphere does not roll
+/// on like a ball.
 /// @return the errors of fit_spheres(), and of make_body_shape() for one without mass
 /// Costs fit_spheres().
 [[nodiscard]] FIRMA_EXPORT Result<Body> body_of(const Chunk& chunk, const FitOptions& fit = {});

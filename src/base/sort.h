@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,6 +47,19 @@ void sort_range(Range&& range, const Less& less = {}) {
 #else
     std::sort(range.begin(), range.end(), less);
 #endif
+}
+
+/// Equal elements stay in the order that they had.
+template <class T, class Less = std::less<>>
+void sort_stably(std::vector<T>& all, const Less& less = {}) {
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    sort_range(order,
+               [&](std::size_t a, std::size_t b) { return less(all[a], all[b]) || (a < b && !less(all[b], all[a])); });
+    std::vector<T> sorted;
+    sorted.reserve(all.size());
+    for (const std::size_t k : order) sorted.push_back(std::move(all[k]));
+    all = std::move(sorted);
 }
 
 /// Each element once, in order.

@@ -10,6 +10,9 @@
 namespace firma {
 namespace {
 
+/// Resistance to rolling of a chunk, in radii.
+constexpr double kMostRolling = 0.5;
+
 Body* slot_of(std::vector<Body>& slots, BodyId id) {
     if (id.slot >= slots.size()) return nullptr;
     Body& body = slots[id.slot];
@@ -48,7 +51,11 @@ Result<Body> body_of(const Chunk& chunk, const FitOptions& fit) {
     if (!shape) return shape.error();
     Pose pose;
     pose.position = chunk.origin;
-    return body_at(shape.value(), pose);
+    Body body = body_at(shape.value(), pose);
+    // Its spheres roll where it would tip over what they leave out: over half of that, about.
+    const double left_out = spheres.value().error / (2 * spheres.value().spheres.front().radius);
+    body.rolling = std::clamp(left_out, body.rolling, kMostRolling);
+    return body;
 }
 
 Vec3 angular_momentum(const Body& body) {

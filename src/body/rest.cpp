@@ -94,7 +94,7 @@ std::size_t wake_in_the_way(Bodies& bodies, const StepParts& parts, double skin)
         CastOptions options;
         options.mask = body.mask;
         const RigidMotion stands{body.position, principal_rotation(body), {}, {}};
-        if (parts.cast_set(spheres, stands, 0, kNoPart, options).touched()) woken += wake_island(bodies, slot);
+        if (parts.cast_set(spheres, stands, 0, 1, kNoPart, options).touched()) woken += wake_island(bodies, slot);
     }
     return woken;
 }

@@ -8,6 +8,7 @@
 #include "base/sort.h"
 #include "body/body_tolerance.h"
 #include "body/contact_solver.h"
+#include "body/energy_guard.h"
 #include "body/mover_islands.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
@@ -55,7 +56,8 @@ public:
           options_(options),
           seconds_(seconds),
           skin_(options.contact_offset > 0 ? options.contact_offset : world_.tolerance().contact_offset),
-          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {
+          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))),
+          guard_(options.gravity) {
         sound_.reserve(bodies.slots.size());
         for (const Body& body : bodies.slots) {
             sound_.push_back(body.shape.valid() && is_sound(body));
@@ -79,6 +81,7 @@ public:
         hold_unsound();
         sweep();
         hold_unsound();
+        guard_energy();
         put_back();
         rest(bodies_, movers_of_slots_, seconds_, parts_, options_);
         ++bodies_.steps;
@@ -219,13 +222,19 @@ private:
                 const Vec3 gain = (options_.gravity + body.force * mover.inverse_mass) * substep;
                 mover.velocity += gain;
                 mover.half_gain = contacts.empty() ? gain * 0.5 : Vec3{};
-                mover.spin += mover.inverse_inertia * body.torque * substep;
+                if (body.torque != Vec3{}) twist(mover, body.torque * substep);
             }
             solver.substep();
         }
         solver.bounce(kBounceSpeed);
         solver.keep_forces();
         for (std::size_t k = 0; k < contacts.size(); ++k) pressed_[island.first_contact + k] = solver.pressed(k) > 0;
+    }
+
+    void twist(Mover& mover, const Vec3& impulse) {
+        const Vec3 gain = mover.inverse_inertia * impulse;
+        guard_.add_work(mover.slot, dot(impulse, mover.spin + gain * 0.5));
+        mover.spin += gain;
     }
 
     /// What a light body takes at a time of the speed of a heavy one is in proportion to its mass.
@@ -257,6 +266,7 @@ private:
         BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, sound_, rules);
         sweep.run();
         for (Mover& mover : movers_) slow_if_wedged(mover, sweep.met_only_level(mover.slot));
+        sweep.tell(guard_);
         report_.swept = sweep.swept();
         report_.bounces = sweep.bounces();
         report_.woken += sweep.woken();
@@ -265,6 +275,19 @@ private:
             body.crushed = sweep.is_crushed(mover.slot);
             report_.crushed += body.crushed;
         }
+    }
+
+    void guard_energy() {
+        for (std::size_t k = 0; k < near_.size(); ++k) {
+            const BodyContact& at = near_[k].at;
+            if (!pressed_[k]) continue;
+            if (at.other != kFixed)
+                guard_.join(at.body, at.other);
+            else
+                guard_.hold(at.body);
+            if (parts_.is_moving(at.part)) guard_.let_go(at.body);
+        }
+        guard_.run(movers_, movers_of_slots_, bodies_.slots);
     }
 
     /// What bounces to and fro where it has no room comes to rest there, instead of falling on and on in its place.
@@ -338,6 +361,7 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
     std::vector<NearContact> near_;
     std::vector<bool> pressed_;
+    EnergyGuard guard_;
 };
 
 }  // namespace

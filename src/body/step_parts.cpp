@@ -71,7 +71,7 @@ void StepParts::compare(std::vector<std::uint64_t>& hashes) {
     hashes.resize(parts_.size());
 }
 
-SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from,
+SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
                                std::uint32_t left_out, const CastOptions& options) const {
     SetPartHit first;
     double reach = 0;
@@ -82,7 +82,7 @@ SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotio
         const StepPart& part = parts_[number];
         if (number == left_out || !(part.part.mask & options.mask)) continue;
         if (!part.may_meet(motion.position, reach + length(motion.path))) continue;
-        const Scene stretch = between({nothing_, {&part.part, 1}, from_, to_}, from, 1);
+        const Scene stretch = between({nothing_, {&part.part, 1}, from_, to_}, from, to);
         for (std::uint32_t k = 0; k < spheres.size(); ++k) {
             const Arc arc(motion.position, motion.path, rate, rotation * spheres[k].centre);
             const Hit hit = cast_sphere(number, arc, spheres[k].radius, stretch, 0, first.fraction, options);
@@ -90,8 +90,8 @@ SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotio
             static_cast<Hit&>(first) = hit;
             first.sphere = k;
             first.part = number;
-            const double at = from + hit.fraction * (1 - from);
-            const Vec3 surface = part.velocity_of(hit.point, at * seconds_) * (seconds_ * (1 - from));
+            const double at = from + hit.fraction * (to - from);
+            const Vec3 surface = part.velocity_of(hit.point, at * seconds_) * (seconds_ * (to - from));
             const double speed = dot(surface - arc.velocity_at(hit.fraction), hit.normal);
             const double back = speed > 0 ? options.contact_offset / speed : 1;
             first.safe_fraction = back < hit.fraction ? hit.fraction - back : 0;
@@ -120,11 +120,17 @@ Hit StepParts::cast_sphere(std::uint32_t number, const Arc& arc, double radius, 
     return hit;
 }
 
-RigidMotion StepParts::carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation,
-                               double from) const {
+StepParts::Carried StepParts::carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation,
+                                      double from) const {
+    constexpr double kMaxSag = 1e-4;  // metres between arc and chord
     const RigidMotion& motion = parts_[part].motion;
-    const Vec3 end = PartFrame(motion, 1).out(PartFrame(motion, from).in(position));
-    return {position, rotation, end - position, motion.turn * (1 - from)};
+    const Vec3 seen = PartFrame(motion, from).in(position);
+    // No farther from the axis than that; an arc of an angle a is r a^2 / 8 off its chord.
+    const double turn = length(motion.turn) * (1 - from), radius = length(seen);
+    const double most = radius > 0 ? std::sqrt(8 * kMaxSag / radius) : turn;
+    const double to = turn > most ? from + (1 - from) * (most / turn) : 1;
+    const Vec3 end = PartFrame(motion, to).out(seen);
+    return {{position, rotation, end - position, motion.turn * (to - from)}, to};
 }
 
 }  // namespace firma

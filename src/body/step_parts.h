@@ -51,14 +51,19 @@ public:
     void compare(std::vector<std::uint64_t>& hashes);
     bool is_moving(std::uint32_t part) const { return part < parts_.size() && parts_[part].moves; }
 
-    /// The first touch of a moving set with a part, from a fraction of the step to its end; as cast() of a set and a
-    /// world. All fractions are of the set's motion.
+    /// The first touch of a moving set with a part, between two fractions of the step; as cast() of a set and a
+    /// world. Its own fractions are of the set's motion.
     /// @param left_out  a part that it cannot meet; kNoPart: none
-    SetPartHit cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, std::uint32_t left_out,
-                        const CastOptions& options) const;
+    SetPartHit cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
+                        std::uint32_t left_out, const CastOptions& options) const;
 
-    /// Where something at rest on a part is taken, from a fraction of the step to its end.
-    RigidMotion carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation, double from) const;
+    struct Carried {
+        RigidMotion motion;
+        double to = 1;  ///< fraction of the step
+    };
+    /// Where something at rest on a part is taken, from a fraction of the step on: to its end, or as far as it goes
+    /// straight within 0.1 mm.
+    Carried carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation, double from) const;
 
 private:
     Hit cast_sphere(std::uint32_t part, const class Arc& arc, double radius, const Scene& stretch, double from,

@@ -83,6 +83,14 @@ void BodySweep::run() {
     }
 }
 
+void BodySweep::tell(EnergyGuard& guard) const {
+    for (const auto& [one, other] : met_pairs_) guard.join(one, other);
+    for (std::uint32_t slot = 0; slot < ways_.size(); ++slot) {
+        if (ways_[slot].met_level) guard.hold(slot);
+        if (ways_[slot].pushed_by != kNoPart) guard.hold(slot), guard.let_go(slot);
+    }
+}
+
 void BodySweep::start() {
     ways_.resize(bodies_.slots.size());
     std::vector<BodyBall> balls;
@@ -120,11 +128,12 @@ std::span<const Sphere> BodySweep::cores_of(std::uint32_t slot, std::vector<Sphe
     return into;
 }
 
-RigidMotion BodySweep::rest_of(const Way& way, double at) const {
-    if (at <= way.from) return way.motion;
-    const double done = (at - way.from) / (1 - way.from);
-    const Pose pose = pose_at(way.motion, done);
-    return {pose.position, normalised(pose.rotation), way.motion.path * (1 - done), way.motion.turn * (1 - done)};
+/// Of a piece of its way.
+RigidMotion BodySweep::between(const Way& way, double from, double to) const {
+    if (from <= way.from && to >= way.to) return way.motion;
+    const double scale = 1 / (way.to - way.from), share = (to - from) * scale;
+    const Pose pose = pose_at(way.motion, std::max(from - way.from, 0.0) * scale);
+    return {pose.position, normalised(pose.rotation), way.motion.path * share, way.motion.turn * share};
 }
 
 void BodySweep::find_world_touch(std::uint32_t slot) {
@@ -137,8 +146,8 @@ void BodySweep::find_world_touch(std::uint32_t slot) {
     const SetHit hit = cast(world_, cores_of(slot, cores_), way.motion, options);
     if (hit.status == Status::kInvalid) way.motion.path = way.motion.turn = {};
     if (!hit.touched()) return;
-    touches_.push(
-        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point, hit.normal});
+    touches_.push({way.from + hit.safe_fraction * (way.to - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point,
+                   hit.normal, false});
 }
 
 /// Whether body and parts went too little for it to be deeper in one than the skin.
@@ -160,18 +169,22 @@ void BodySweep::find_part_touch(std::uint32_t slot) {
     CastOptions options;
     options.mask = bodies_.slots[slot].mask;
     options.contact_offset = rules_.skin * 0.25;
-    const SetPartHit hit = parts_.cast_set(cores_of(slot, cores_), way.motion, way.from, way.carried_by, options);
+    const SetPartHit hit =
+        parts_.cast_set(cores_of(slot, cores_), way.motion, way.from, way.to, way.carried_by, options);
     if (!hit.touched()) return;
-    touches_.push(
-        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point, hit.normal});
+    touches_.push({way.from + hit.safe_fraction * (way.to - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point,
+                   hit.normal, false});
 }
 
+/// What one part takes along goes as one.
 /// @param at_start  what overlaps then was passed on to contacts, or meets there
 void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start) {
     const Way &one = ways_[slot], &two = ways_[other];
+    if (one.carried_by != kNoPart && one.carried_by == two.carried_by) return;
     const BodyShapeData &shape = bodies_.slots[slot].shape.data(), &other_shape = bodies_.slots[other].shape.data();
-    const double from = std::max(one.from, two.from);
-    const RigidMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
+    const double from = std::max(one.from, two.from), to = std::min(one.to, two.to);
+    if (!(from < to)) return;
+    const RigidMotion motion = between(one, from, to), other_motion = between(two, from, to);
     const double nearer = length(motion.path - other_motion.path) + length(motion.turn) * shape.reach +
                           length(other_motion.turn) * other_shape.reach;
     if (nearer <= kSlowShare * std::min(shape.thinnest, other_shape.thinnest)) return;
@@ -183,7 +196,7 @@ void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap
     };
     if (dot(moved_at(motion) - moved_at(other_motion), hit.normal) > -kDistanceRounding) return;
     touches_.push(
-        {from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, kNoPart, hit.point, hit.normal});
+        {from + hit.fraction * (to - from), slot, other, one.piece, two.piece, kNoPart, hit.point, hit.normal, false});
 }
 
 /// All that a body comes to meet, on a new piece of its way.
@@ -213,7 +226,7 @@ void BodySweep::wake(std::uint32_t slot) {
 
 /// Where it is then.
 Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
-    const RigidMotion rest = rest_of(ways_[slot], at);
+    const RigidMotion rest = between(ways_[slot], at, ways_[slot].to);
     Mover& mover = movers_[movers_of_slots_[slot]];
     mover.put_at(rest.position, rest.rotation);
     if (ways_[slot].piece == 0) turn_as_swept(mover, rest.turn);
@@ -227,21 +240,40 @@ void BodySweep::go_on(std::uint32_t slot, double at, bool stops, std::uint32_t p
     const Mover& mover = movers_[movers_of_slots_[slot]];
     const double left = rules_.seconds * (1 - at);
     way.motion = {mover.position, mover.rotation, {}, {}};
+    way.from = at;
+    way.to = 1;
     way.carried_by = kNoPart;
     if (way.met > 2 * rules_.max_bounces + kMostCarries) {
         way.ended = true;
         way.crushed = way.pushed_by != kNoPart;
     }
     if (!way.ended && (stops || way.met > rules_.max_bounces)) {
-        way.carried_by = part;
-        if (part != kNoPart) way.motion = parts_.carried(part, mover.position, mover.rotation, at);
+        if (part != kNoPart) take_along(slot, part, at);
     } else if (!way.ended) {
         way.motion.path = mover.velocity * left;
         way.motion.turn = mover.spin * left;
         if (const double angle = length(way.motion.turn); angle > kMaxTurn) way.motion.turn *= kMaxTurn / angle;
     }
-    way.from = at;
     ++way.piece;
+}
+
+void BodySweep::take_along(std::uint32_t slot, std::uint32_t part, double at) {
+    Way& way = ways_[slot];
+    const Mover& mover = movers_[movers_of_slots_[slot]];
+    const StepParts::Carried carried = parts_.carried(part, mover.position, mover.rotation, at);
+    way.carried_by = part;
+    way.motion = carried.motion;
+    way.from = at;
+    way.to = carried.to;
+    if (way.to < 1) touches_.push({way.to, slot, kFixed, way.piece + 1, 0, kNoPart, {}, {}, true});
+}
+
+/// The next straight piece of an arc.
+void BodySweep::carry_on(std::uint32_t slot, double at) {
+    mover_at(slot, at);
+    take_along(slot, ways_[slot].carried_by, at);
+    ++ways_[slot].piece;
+    find_touches(slot);
 }
 
 /// The level, or a part.
@@ -252,6 +284,8 @@ void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
         terms.surface = parts_[it.part].velocity_of(it.point, it.at * rules_.seconds);
         way.pushed_by = it.part;
         way.met_others = true;
+    } else {
+        way.met_level = true;
     }
     const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
     if (is_between) way.ended = way.crushed = true;
@@ -259,24 +293,59 @@ void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
     if (!way.ended) find_touches(it.slot);
 }
 
+/// What a part takes along pushes others as the part does, however heavy they are, and goes on with the part.
+/// @param normal  toward the other
+void BodySweep::touch_carried(const Touching& it, std::uint32_t carried, std::uint32_t slot, const Vec3& normal,
+                              TouchTerms terms) {
+    Way &of_carried = ways_[carried], &way = ways_[slot];
+    const std::uint32_t part = of_carried.carried_by;
+    const Body &pushing = bodies_.slots[carried], &pushed = bodies_.slots[slot];
+    terms.restitution = std::max(pushing.restitution, pushed.restitution);
+    terms.friction = std::sqrt(pushing.friction * pushed.friction);
+    terms.surface = parts_[part].velocity_of(it.point, it.at * rules_.seconds);
+    Mover& mover = mover_at(carried, it.at);
+    if (way.ended) {
+        of_carried.ended = of_carried.crushed = true;
+        of_carried.motion = {mover.position, mover.rotation, {}, {}};
+        of_carried.from = it.at;
+        of_carried.to = 1;
+    } else {
+        ++way.met;
+        way.pushed_by = part;
+        const bool nearer = respond(mover_at(slot, it.at), nullptr, it.point, normal, terms);
+        go_on(slot, it.at, !nearer, part);
+        take_along(carried, part, it.at);
+    }
+    ++of_carried.piece;
+    for (const std::uint32_t next : {carried, slot})
+        if (!ways_[next].ended) find_touches(next);
+}
+
 void BodySweep::touch(const Touching& it) {
+    if (it.is_turn) return carry_on(it.slot, it.at);
     const Body& body = bodies_.slots[it.slot];
     TouchTerms terms{body.restitution, std::sqrt(body.friction * rules_.friction), rules_.bounce_speed};
     ++bounces_;
-    ++ways_[it.slot].met;
-    if (it.other == kFixed) return touch_fixed(it, terms);
+    if (it.other == kFixed) {
+        ++ways_[it.slot].met;
+        return touch_fixed(it, terms);
+    }
     for (const std::uint32_t slot : {it.slot, it.other})
         if (movers_of_slots_[slot] == kFixed) wake(slot);
+    ways_[it.slot].met_others = ways_[it.other].met_others = true;
+    met_pairs_.emplace_back(it.slot, it.other);
+    if (ways_[it.slot].carried_by != kNoPart && ways_[it.other].carried_by == kNoPart)
+        return touch_carried(it, it.slot, it.other, it.normal * -1.0, terms);
+    if (ways_[it.other].carried_by != kNoPart && ways_[it.slot].carried_by == kNoPart)
+        return touch_carried(it, it.other, it.slot, it.normal, terms);
     const Body& other = bodies_.slots[it.other];
     terms.restitution = std::max(body.restitution, other.restitution);
     terms.friction = std::sqrt(body.friction * other.friction);
+    ++ways_[it.slot].met;
     ++ways_[it.other].met;
-    ways_[it.slot].met_others = ways_[it.other].met_others = true;
     Mover &one = mover_at(it.slot, it.at), &two = mover_at(it.other, it.at);
     const bool nearer = respond(one, &two, it.point, it.normal, terms);
-    // What a part takes along takes along what has met enough.
-    const std::uint32_t part = std::min(ways_[it.slot].carried_by, ways_[it.other].carried_by);
-    for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer, part);
+    for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer, kNoPart);
     for (const std::uint32_t slot : {it.slot, it.other}) find_touches(slot);
 }
 

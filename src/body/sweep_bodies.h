@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <queue>
+#include <utility>
 #include <vector>
 
+#include "body/energy_guard.h"
 #include "body/mover.h"
 #include "body/step_parts.h"
 #include "body/touch_response.h"
@@ -46,11 +48,14 @@ public:
         return slot < ways_.size() && ways_[slot].met > 0 && !ways_[slot].met_others;
     }
 
+    /// Who met whom.
+    void tell(EnergyGuard& guard) const;
+
 private:
     /// The straight piece of a body's way that it is on.
     struct Way {
         RigidMotion motion;
-        double from = 0;  ///< of the step: when the piece begins
+        double from = 0, to = 1;  ///< of the step: when the piece begins and ends
         int met = 0;
         std::uint32_t piece = 0;
         std::uint32_t carried_by = kNoPart;
@@ -59,6 +64,7 @@ private:
         bool ended = false;  ///< it stays where it is, whatever comes
         bool crushed = false;
         bool met_others = false;  ///< parts or bodies
+        bool met_level = false;
     };
     /// A touch that comes as long as both go on as they do now.
     struct Touching {
@@ -67,6 +73,7 @@ private:
         std::uint32_t piece = 0, other_piece = 0;
         std::uint32_t part = kNoPart;  ///< where other is kFixed
         Vec3 point, normal;
+        bool is_turn = false;  ///< no touch: what a part takes along goes on along its arc
         /// The queue takes the greatest first. Of touches at one time the order is the same whatever the queue is made
         /// of: those of parts come after that of the level.
         friend bool operator<(const Touching& a, const Touching& b) {
@@ -87,8 +94,12 @@ private:
     Mover& mover_at(std::uint32_t slot, double at);
     void wake(std::uint32_t slot);
     void touch_fixed(const Touching& it, TouchTerms terms);
+    void touch_carried(const Touching& it, std::uint32_t carried, std::uint32_t slot, const Vec3& normal,
+                       TouchTerms terms);
     void go_on(std::uint32_t slot, double at, bool stops, std::uint32_t part);
-    RigidMotion rest_of(const Way& way, double at) const;
+    void carry_on(std::uint32_t slot, double at);
+    void take_along(std::uint32_t slot, std::uint32_t part, double at);
+    RigidMotion between(const Way& way, double from, double to) const;
     double reach_of(std::uint32_t slot) const;
     std::span<const Sphere> cores_of(std::uint32_t slot, std::vector<Sphere>& into) const;
 
@@ -102,6 +113,7 @@ private:
     std::vector<Way> ways_;  ///< of slots
     std::priority_queue<Touching> touches_;
     std::vector<Sphere> cores_, other_cores_;  ///< scratch
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> met_pairs_;
     std::size_t swept_ = 0, bounces_ = 0, woken_ = 0;
 };
 

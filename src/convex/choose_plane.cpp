@@ -75,8 +75,7 @@ std::vector<ScoredPlane> score_planes(ConvexSpace& space, const SolidSides& soli
         }
         scored.push_back(one);
     }
-    std::stable_sort(scored.begin(), scored.end(),
-                     [](const ScoredPlane& a, const ScoredPlane& b) { return a.score > b.score; });
+    sort_stably(scored, [](const ScoredPlane& a, const ScoredPlane& b) { return a.score > b.score; });
     return scored;
 }
 

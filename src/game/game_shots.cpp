@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/sort.h"
 #include "body/shot_flight.h"
 #include "firma/queries.h"
 #include "firma/turn.h"
@@ -215,7 +216,7 @@ std::vector<Bang> fly_shots(GameState& game, double seconds, GameReport& report)
     std::vector<Bang> bangs;
     for (std::uint32_t k = 0; k < game.shots.size(); ++k) WeaponFlight(game, k, seconds, report).run(bangs);
     // They are in order of weapon and index: of equal times that order stays.
-    std::stable_sort(bangs.begin(), bangs.end(), [](const Bang& a, const Bang& b) { return a.time < b.time; });
+    sort_stably(bangs, [](const Bang& a, const Bang& b) { return a.time < b.time; });
     return bangs;
 }
 

@@ -166,14 +166,16 @@ inline std::vector<FloorPlace> floor_places(const World& world, double half_alon
 
 /// A chunk as a body in a pose, its mass times a factor.
 inline Result<Body> chunk_body(const Chunk& chunk, std::size_t spheres, const Pose& pose, double factor = 1) {
-    const Result<SphereFit> fit = fit_spheres(chunk.solid, {.max_error = 1e-3, .max_spheres = spheres});
-    if (!fit) return fit.error();
+    Result<Body> made = body_of(chunk, {.max_error = 1e-3, .max_spheres = spheres});
+    if (!made) return made.error();
     MassProperties mass = chunk.mass;
     mass.mass *= factor;
     for (Vec3& row : mass.inertia) row = row * factor;
-    const Result<BodyShape> shape = make_body_shape(fit.value().spheres, mass);
+    const Result<BodyShape> shape = make_body_shape(made.value().shape.spheres(), mass);
     if (!shape) return shape.error();
-    return body_at(shape.value(), pose);
+    Body body = body_at(shape.value(), pose);
+    body.rolling = made.value().rolling;
+    return body;
 }
 
 /// A chunk whose middle is there, turned at random.

@@ -146,6 +146,17 @@ TEST(Motion, AStackOfTenStandsForAMinute) {
     }
 }
 
+TEST(Motion, SmallStacksDoNotSway) {
+    const World world = ground();
+    for (const double size : {0.2, 0.3, 0.5}) {
+        Bodies bodies;
+        const Vec3 half = Vec3{1, 1, 1} * (size / 2);
+        for (int k = 0; k < 10; ++k) add_body(bodies, body_here(box_body(half), {0, 0, size * (k + 0.5)}));
+        run(bodies, world, 600, never_asleep());
+        for (const Body& body : bodies.slots) EXPECT_LT(length(body.velocity), 2e-5) << size;
+    }
+}
+
 /// Eight spheres in the corners of a box of this height, 0.7 m wide.
 BodyShape block(double half_height, double radius, double mass) {
     SphereSet spheres;

@@ -58,15 +58,13 @@ TEST_P(RubbleInLevels, PiecesOf1To200SpheresComeToRest) {
             Bodies bodies;
             const BodyId id = add_body(bodies, made.value());
             const int rest = settle(bodies, world, 900);
-            // One sphere, its mass beside its middle, rolls and rocks for longer: it is only judged not to sink in.
-            if (made.value().shape.spheres().size() == 1) continue;
             EXPECT_LT(rest, 900) << spheres << " spheres at " << k;
             const Vec3 at = bodies.find(id)->position;
             for (int tick = 0; tick < 60; ++tick) step(bodies, world, kTick);
             EXPECT_EQ(bodies.find(id)->position, at);
             ++rested;
         }
-    EXPECT_GE(rested, 6u);
+    EXPECT_GE(rested, 8u);
     EXPECT_GE(most_spheres, 150u);
 }
 
@@ -97,8 +95,9 @@ TEST_P(RubbleInLevels, APileWithAThousandTimesTheMassOnTopComesToRest) {
             const double first = energy_of(bodies);
             for (int tick = 0; tick < 180; ++tick) {
                 step(bodies, world, kTick);
-                // Of what a fall spends some comes back (docs/bodies.md), never all of it.
-                ASSERT_LT(energy_of(bodies), first + 1e-9 * std::fabs(first)) << "piece " << k << ", tick " << tick;
+                // Contacts that were pressed in by micrometres lift what lies on them by as much.
+                ASSERT_LT(energy_of(bodies), first + 1e-9 * std::fabs(first) + 2e-5)
+                    << "piece " << k << ", tick " << tick;
                 ASSERT_EQ(depths.fault(world, bodies), "") << "piece " << k << ", tick " << tick;
             }
         }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort.h"
 #include "firma/recording.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/moving/part_worlds.h"
@@ -68,8 +69,7 @@ inline std::vector<GameEvent> depot_events() {
         events.push_back({330 + k, FireEvent{0, {12, 7, 1.5}, {300, 40 - 4.0 * double(k), 10}}});
     events.push_back({360, BlastEvent{{14, 7, 0.5}, {.crater = 1, .break_radius = 6}}});
     events.push_back({420, PartEvent{0}});
-    std::stable_sort(events.begin(), events.end(),
-                     [](const GameEvent& a, const GameEvent& b) { return a.tick < b.tick; });
+    sort_stably(events, [](const GameEvent& a, const GameEvent& b) { return a.tick < b.tick; });
     return events;
 }
 
