@@ -22,7 +22,7 @@ const wanted = (...names) => names.some((name) => name.includes(only));
 
 /** A page without its help and times, somebody standing there. @param figures  whether the engine's are shown */
 async function stand(x, y, z, level = 'first.obj', figures = false) {
-    const { page } = await load(session, `?level=${level}`, viewport);
+    const { page } = await load(session, `?picture=full&level=${level}`, viewport);
     await page.evaluate((shown) => {
         document.body.classList.add('without-help', 'locked');
         document.body.classList.toggle('figures', shown);
@@ -134,7 +134,7 @@ if (wanted('playground_insides')) {
 
 // A phone, upright.
 if (wanted('playground_phone')) {
-    const { page } = await load(session, '', { width: 390, height: 844 }, { hasTouch: true, isMobile: true, deviceScaleFactor: 1 });
+    const { page } = await load(session, '?picture=full', { width: 390, height: 844 }, { hasTouch: true, isMobile: true, deviceScaleFactor: 1 });
     await call(page, 'look', 2.95, 0.12);
     await call(page, 'fire');
     await call(page, 'step', 0.02, {});
