@@ -22,7 +22,7 @@ const wanted = (...names) => names.some((name) => name.includes(only));
 
 /** A page without its help and times, somebody standing there. @param figures  whether the engine's are shown */
 async function stand(x, y, z, level = 'first.obj', figures = false) {
-    const { page } = await load(session, `?level=${level}`, viewport);
+    const { page } = await load(session, `?picture=full&level=${level}`, viewport);
     await page.evaluate((shown) => {
         document.body.classList.add('without-help', 'locked');
         document.body.classList.toggle('figures', shown);
@@ -54,9 +54,9 @@ const keep = (page, dt) => page.evaluate((seconds) => {
     (window.kept ??= []).push(copy);
 }, dt);
 
-/** The kept pictures, so many in a row, as one file. */
-async function writeStrip(page, name, across) {
-    const data = await page.evaluate((columns) => {
+/** The kept pictures, so many in a row, as one file. @param file  with its ending, png or jpeg */
+async function writeStrip(page, file, across) {
+    const data = await page.evaluate(([columns, type]) => {
         const { width, height } = window.kept[0];
         const gap = 3;
         const strip = document.createElement('canvas');
@@ -65,9 +65,9 @@ async function writeStrip(page, name, across) {
         const context = strip.getContext('2d');
         window.kept.forEach((picture, k) => context.drawImage(picture, (k % columns) * (width + gap), Math.floor(k / columns) * (height + gap)));
         window.kept = [];
-        return strip.toDataURL('image/png').split(',')[1];
-    }, across);
-    writeFileSync(path.join(folder, `${name}.png`), Buffer.from(data, 'base64'));
+        return strip.toDataURL(`image/${type}`, 0.9).split(',')[1];
+    }, [across, path.extname(file).slice(1)]);
+    writeFileSync(path.join(folder, file), Buffer.from(data, 'base64'));
 }
 
 /** Steps with these keys held, so many times. */
@@ -113,7 +113,7 @@ if (wanted('playground_fire_fight')) {
     await keep(page, 0.06);
     await go(page, 0.1, 4);
     await keep(page, 0.35);
-    await writeStrip(page, 'playground_fire_fight', 3);
+    await writeStrip(page, 'playground_fire_fight.jpeg', 3);
     await page.close();
 }
 
@@ -128,13 +128,13 @@ if (wanted('playground_insides')) {
         await go(page, 1 / 60, 1);
         await keep(page, 10);
     }
-    await writeStrip(page, 'playground_insides', 2);
+    await writeStrip(page, 'playground_insides.png', 2);
     await page.close();
 }
 
 // A phone, upright.
 if (wanted('playground_phone')) {
-    const { page } = await load(session, '', { width: 390, height: 844 }, { hasTouch: true, isMobile: true, deviceScaleFactor: 1 });
+    const { page } = await load(session, '?picture=full', { width: 390, height: 844 }, { hasTouch: true, isMobile: true, deviceScaleFactor: 1 });
     await call(page, 'look', 2.95, 0.12);
     await call(page, 'fire');
     await call(page, 'step', 0.02, {});

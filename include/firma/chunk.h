@@ -24,7 +24,7 @@ struct MatterVolume {
 };
 
 /// A piece that came loose and left the world, with its exact faces: their sources and materials are those that they
-/// had in the world.
+/// had in the world; of what the cut made, those of the world after it, which names all of them.
 struct Chunk {
     /// In a frame of its own: the world's grid moved by whole steps of 1/4096 m to the middle of the piece. It is cut,
     /// asked and drawn like any solid.

@@ -11,7 +11,6 @@ const kFit = { maxSpheres: 20 };
 const kHeavy = 150; // kilograms: lighter ones do not break by a fall
 const kBreaks = 5; // metres a second that a fall takes away within a step
 const kMostBreaks = 2; // times, of what came of one chunk
-const kWedged = 0.5; // seconds that one is fast and does not move: then it is let go of its speed
 const kFirstEdit = 1 << 20; // of cuts in a body's own world: none of the level's has such a number
 const kPush = { speed: 9, impulse: 6000 }; // metres a second and newton seconds at most, at the middle of a blast
 const kReach = 3; // of a blast's radius
@@ -47,7 +46,6 @@ export class Debris {
             piece.age += dt;
             const before = piece.velocity;
             const body = this.bodies.get(piece.id);
-            this.#unwedge(piece, body, dt);
             Object.assign(piece, { velocity: body.velocity, asleep: body.asleep, at: body.position });
             const lost = length(subtract(body.velocity, before)) - 9.81 * dt;
             if (lost < 1) continue;
@@ -141,19 +139,6 @@ export class Debris {
         const velocity = add(was.velocity, cross(was.spin, subtract(position, was.position)));
         this.bodies.set(piece.id, { position, rotation: frame.rotation, velocity, spin: was.spin });
         Object.assign(piece, { at: position, velocity });
-    }
-
-    /**
-     * One that is caught in a gap, turning fast, meets something at once in each step, and stays where it is while it
-     * goes on falling by its numbers. Without speed and spin it finds contacts to rest on.
-     */
-    #unwedge(piece, body, dt) {
-        const held = !body.asleep && length(body.velocity) > 1 && length(subtract(body.position, piece.at)) < 1e-3 * dt;
-        piece.held = held ? (piece.held ?? 0) + dt : 0;
-        if (piece.held < kWedged) return;
-        piece.held = 0;
-        this.bodies.set(piece.id, { velocity: [0, 0, 0], spin: [0, 0, 0] });
-        body.velocity = [0, 0, 0];
     }
 
     /** Breaks one across its longest side. */

@@ -7,6 +7,7 @@ import { listenToButtons } from './held_buttons.js';
 import { Input } from './input.js';
 import { kLevels, levelName, loadLevel } from './load_level.js';
 import { kStopsWalk } from './masks.js';
+import { drawsInSoftware, Picture, wantsFull } from './picture.js';
 import { renderSound, Sound } from './sound.js';
 import { kSounds } from './sound_recipes.js';
 import { Stage } from './stage.js';
@@ -18,7 +19,7 @@ const kLongestFrame = 0.1; // seconds: after a pause time does not jump
 const hooks = { done: false, error: null, frames: 0 };
 window.firmaPlayground = hooks;
 
-function offerHooks(game, loop, draw, heldNow) {
+function offerHooks(game, loop, draw, picture, heldNow) {
     Object.assign(hooks, {
         state: () => game.state(),
         /** Stops time; from then on only step() moves anything. */
@@ -56,6 +57,7 @@ function offerHooks(game, loop, draw, heldNow) {
         draw: (dt = 0) => draw(dt),
         hash: () => game.launcher.world.hash().toString(16),
         check: () => game.launcher.world.check(),
+        picture: () => ({ share: picture.share, full: picture.full }),
         /** Of the player's spheres: the least distance of a centre to a face, and whether one is in rock. */
         clearance() {
             const { feet } = game.player;
@@ -86,7 +88,7 @@ function actionsOf(game, sound, name) {
         door: () => game.turnPortal(),
         bridge: () => game.startSet('bridge'),
         wall: () => game.startSet('wall'),
-        level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
+        level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}${wantsFull(location.search) ? '&picture=full' : ''}`),
         help: () => document.body.classList.toggle('without-help'),
         figures: () => document.body.classList.toggle('figures'),
         sound: () => document.querySelector('#more [data-do=sound]').classList.toggle('on', sound.toggle()),
@@ -112,14 +114,15 @@ async function start() {
         const firma = await loadGames(new URL('firma_games.wasm', document.baseURI));
         const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
-        const stage = new Stage(canvas);
+        const picture = new Picture({ software: drawsInSoftware(), full: wantsFull(location.search) });
+        const stage = new Stage(canvas, picture.antialias);
         const sound = new Sound();
         const game = new Game({ firma, Projectiles, world, levelName: name, stage, sound, start: from });
         const hud = new Hud(document.querySelector('#hud'), document.querySelector('#told'));
         document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
 
         if (matchMedia('(pointer: coarse)').matches) beTouched();
-        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, isTouched() ? 1.5 : 2));
+        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, isTouched() ? 1.5 : 2) * picture.share);
         addEventListener('resize', resize);
         resize();
         const actions = actionsOf(game, sound, name);
@@ -140,12 +143,13 @@ async function start() {
             ++hooks.frames;
         };
         draw(0);
-        offerHooks(game, loop, draw, () => ({ ...input.keys, ...touch.keys }));
+        offerHooks(game, loop, draw, picture, () => ({ ...input.keys, ...touch.keys }));
         runFrames(loop, (dt) => {
             const began = performance.now();
             input.turn(Math.min(dt, kLongestFrame));
             game.step(Math.min(dt, kLongestFrame), input.take(touch.keys));
             draw(dt);
+            if (picture.frame(dt)) resize();
             game.frameMs.add(dt * 1000);
             game.workMs.add(performance.now() - began);
         });

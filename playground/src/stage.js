@@ -21,8 +21,8 @@ export function uprightAngle(aspect) {
 }
 
 export class Stage {
-    constructor(canvas) {
-        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    constructor(canvas, antialias = true) {
+        this.renderer = new THREE.WebGLRenderer({ canvas, antialias });
         this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
         this.renderer.toneMappingExposure = 1.15;
         this.scene = new THREE.Scene();

@@ -101,6 +101,30 @@ test('the bridge: a shot a step, then its piece falls, breaks, comes to rest on 
     assert.equal(firma.liveHandles(), before);
 });
 
+test('the depot\'s bridge: its pieces show the matter that they are of, break, and come to rest by themselves', () => {
+    const scene = begin('depot.map');
+    const { sets, launcher, debris } = scene;
+    sets.start('bridge');
+    sets.step(100);
+    sets.step(100);
+    assert.ok(debris.pieces.size >= 2);
+    const cut = new Set();
+    for (const { world, matter } of debris.pieces.values()) {
+        assert.equal(matter, 'steel');
+        const { materials } = world.facts();
+        const { materials: of, sourceEdits } = world.faces();
+        assert.ok(of.every((material) => material < materials.length), `${Math.max(...of)} of ${materials.length} names`);
+        of.forEach((material, k) => sourceEdits[k] > 0 && cut.add(materials[material]));
+    }
+    assert.deepEqual([...cut], ['matter/steel']);
+    let seconds = 0;
+    for (; seconds < 12 && (debris.moving || seconds < 0.5); seconds += 1 / 30) debris.step({ world: launcher.world }, 1 / 30);
+    assert.ok(!debris.moving, 'at rest');
+    assertClear(scene);
+    assert.ok([...debris.pieces.values()].some(({ breaks }) => breaks > 0), 'broken by the fall');
+    end(scene);
+});
+
 test('the wall: the portal and the cast through it are told; a wall within one room has none', () => {
     const depot = begin('depot.map');
     depot.sets.start('wall');

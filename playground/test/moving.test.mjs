@@ -6,6 +6,7 @@ import { throwBlast } from '../src/blast_particles.js';
 import { boxMesh } from '../src/crack.js';
 import { leafMesh, planDoor } from '../src/door_plans.js';
 import { turnBetween } from '../src/obstacles.js';
+import { kShares, Picture } from '../src/picture.js';
 import { Particles } from '../src/particles.js';
 import { Rockets } from '../src/rockets.js';
 import { felt, Shake } from '../src/shake.js';
@@ -123,6 +124,31 @@ test('an upright phone sees as far to the sides as it can', () => {
     assert.equal(uprightAngle(16 / 9), 78);
     assert.ok(uprightAngle(390 / 844) > 95 && uprightAngle(390 / 844) <= 102);
     assert.ok(uprightAngle(1) >= 78);
+});
+
+test('the picture has fewer pixels where frames take long, and more again where they do not', () => {
+    const after = (picture, dt, count) => {
+        for (let k = 0; k < count; ++k) picture.frame(dt);
+        return picture.share;
+    };
+    const quick = new Picture();
+    assert.ok(quick.antialias && quick.share === 1);
+    assert.equal(after(quick, 1 / 60, 10_000), 1);
+    quick.frame(3); // somebody looked at another page
+    assert.equal(after(quick, 1 / 60, 100), 1);
+    assert.equal(after(quick, 1 / 20, 12), kShares[1]);
+    assert.equal(after(quick, 1 / 30, 1000), kShares[1]);
+    assert.equal(after(quick, 1 / 60, 1000), kShares[1], 'a step that was too slow is not tried again');
+    const software = new Picture({ software: true });
+    assert.deepEqual([software.antialias, software.share], [false, 0.5]);
+    assert.equal(after(software, 1, 8), kShares.at(-1));
+    assert.equal(after(software, 1, 100), kShares.at(-1));
+    const wrong = new Picture({ software: true }); // it said that it has no graphics card, and is quick
+    assert.equal(after(wrong, 1 / 144, 299), 0.5);
+    assert.equal(after(wrong, 1 / 144, 1), 0.7);
+    assert.equal(after(wrong, 1 / 144, 300), 1);
+    const full = new Picture({ software: true, full: true });
+    assert.deepEqual([full.antialias, after(full, 2, 100)], [true, 1]);
 });
 
 test('turns and poses', () => {

@@ -33,6 +33,7 @@ Solid solid_of_cut_piece(const CutPiece& piece, const Solid& solid) {
 ChunkMaker::ChunkMaker(const CutPiece& piece, const Solid& solid, double density, const ChunkMatters& matters)
     : density_(density), matters_(matters) {
     FaceSet set = faces_of_cut_piece(piece);
+    for (FaceSet::Entry& face : set.faces) face.material = matters_.material_of(face.material);
     const auto id = std::uint32_t(set.faces.size());
     SolidData like = solid.data();
     ++like.edits;  // the cut that made it loose

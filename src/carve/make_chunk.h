@@ -18,6 +18,7 @@ struct ChunkMatters {
     const MatterPieces* pieces = nullptr;  ///< null: all is of the first matter of the built-in table
     const CarveRules* rules = nullptr;     ///< may be null
     std::function<std::optional<Solid>(const MatterPiece&)> solid_of;
+    std::function<std::uint32_t(std::uint32_t)> material_of;  ///< of what the cut made: its number in the world's names
 };
 
 /// A loose piece as a solid where it lies.

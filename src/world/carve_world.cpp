@@ -195,7 +195,15 @@ private:
 
     bool is_large(const CutPiece& piece) const { return piece.volume >= options_.chunks->min_volume; }
 
+    /// Those of the world's new faces first, as without chunks; then what only loose pieces show, crumbs among them:
+    /// names do not depend on how large a chunk is.
+    void number_materials() {
+        materials_.see(cut_.change().added);
+        for (const CutPiece& piece : cut_.pieces()) materials_.see(piece.made);
+    }
+
     Phase make_next_chunk() {
+        if (next_piece_ == 0) number_materials();
         if (chunk_) {
             if (chunk_->step()) return Phase::kChunks;
             chunks_.push_back(chunk_->take());
@@ -203,8 +211,10 @@ private:
         } else if (const CutPiece& piece = cut_.pieces()[next_piece_++]; is_large(piece)) {
             const MatterPieces* pieces = world_.data().matters.get();
             const auto solid_of = [pieces](const MatterPiece& it) { return solid_of_piece(*pieces, it); };
-            chunk_ = std::make_unique<ChunkMaker>(piece, world_.solid(), options_.chunks->density,
-                                                  ChunkMatters{pieces, world_.data().rules.get(), solid_of});
+            const auto material_of = [this](std::uint32_t material) { return materials_.number(material); };
+            chunk_ =
+                std::make_unique<ChunkMaker>(piece, world_.solid(), options_.chunks->density,
+                                             ChunkMatters{pieces, world_.data().rules.get(), solid_of, material_of});
         }
         return chunk_ || next_piece_ < cut_.pieces().size() ? Phase::kChunks : Phase::kPlaceFaces;
     }

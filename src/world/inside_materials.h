@@ -36,31 +36,40 @@ public:
         return indices;
     }
 
-    /// Numbers those that faces have, and the one at `always`, in the order in which faces have them.
-    /// @return the names, with these at the end
-    Names take_up(FaceSet& faces, std::uint32_t always) {
+    /// The number that a material has in the names, which it gets now if it had none.
+    std::uint32_t number(std::uint32_t material) {
         const auto first = std::uint32_t(known_->size());
-        std::vector<std::uint32_t> number(more_.size(), ~0u), used;
-        const auto use = [&](std::uint32_t material) {
-            if (material < first) return material;
-            std::uint32_t& taken = number[material - first];
-            if (taken == ~0u) {
-                taken = first + std::uint32_t(used.size());
-                used.push_back(material - first);
-            }
-            return taken;
-        };
-        for (FaceSet::Entry& face : faces.faces) face.material = use(face.material);
-        if (always != ~0u) use(always);
-        if (used.empty()) return known_;
+        if (material < first) return material;
+        numbers_.resize(more_.size(), ~0u);
+        std::uint32_t& taken = numbers_[material - first];
+        if (taken == ~0u) {
+            taken = first + std::uint32_t(used_.size());
+            used_.push_back(material - first);
+        }
+        return taken;
+    }
+
+    /// Numbers those that faces have, in their order.
+    void see(const FaceSet& faces) {
+        for (const FaceSet::Entry& face : faces.faces) number(face.material);
+    }
+
+    /// Numbers those that faces have, and the one at `always`, in the order in which faces have them.
+    /// @return the names, with all that were numbered at the end
+    Names take_up(FaceSet& faces, std::uint32_t always) {
+        for (FaceSet::Entry& face : faces.faces) face.material = number(face.material);
+        if (always != ~0u) number(always);
+        if (used_.empty()) return known_;
         auto longer = std::make_shared<std::vector<std::string>>(*known_);
-        for (const std::uint32_t k : used) longer->push_back(more_[k]);
+        for (const std::uint32_t k : used_) longer->push_back(more_[k]);
         return longer;
     }
 
 private:
     const Names known_;
     std::vector<std::string> more_;
+    std::vector<std::uint32_t> numbers_;  ///< of each of `more_`; ~0u: none has it yet
+    std::vector<std::uint32_t> used_;     ///< indices into `more_`, in the order of their numbers
 };
 
 }  // namespace firma

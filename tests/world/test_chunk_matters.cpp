@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,34 @@ TEST(ChunkMatters, WoodAndSteelEqualClosedForms) {
     const std::vector<BoxOf> boxes{{{5.25, 0, 0}, {8, 4, 4}, 600}, {{8, 0, 0}, {12, 4, 4}, 7850}};
     expect_mass(chunk.mass, closed_form(boxes, chunk.origin));
     EXPECT_GT(chunk.mass.centre.x, 1) << "steel is heavier";
+}
+
+/// How many faces show each material, by the names of a world.
+std::map<std::string, int> shown_by(const World& names, const Solid& solid) {
+    std::map<std::string, int> count;
+    for (const Face& face : make_world(solid).value().faces()) ++count[names.material_name(face.material)];
+    return count;
+}
+
+TEST(ChunkMatters, TheWorldNamesTheInsidesThatChunksShow) {
+    // The cut goes through brick and wood; the wall that stays shows brick, the piece that falls wood.
+    const World world = held_by(test::brush_world(test::three_matters()), "old_brick");
+    const Cutter blade = test::box_mesh({3, -1, -1}, {5.25, 5, 5}).cutter().value();
+    const CarveResult cut = carve(world, blade, {}, asking());
+    ASSERT_TRUE(cut.done()) << cut.error.reason;
+    ASSERT_EQ(cut.chunks.size(), 1u);
+    std::map<std::string, int> shown = shown_by(cut.world, cut.chunks[0].solid);
+    EXPECT_EQ(shown["matter/wood"], 1);
+    EXPECT_EQ(shown["matter/brick"], 0);
+    EXPECT_EQ(shown[""], 0) << "a number without a name";
+    EXPECT_EQ(shown_by(cut.world, cut.world.solid())["matter/brick"], 1);
+    test::expect_sound_world(cut.world);
+    // A crumb is no chunk, and changes no name.
+    CarveOptions large = asking();
+    large.chunks->min_volume = 1e6;
+    const CarveResult crumbled = carve(world, blade, {}, large);
+    EXPECT_TRUE(crumbled.chunks.empty());
+    EXPECT_EQ(hash_world(crumbled.world), hash_world(cut.world));
 }
 
 TEST(ChunkMatters, ADensityThatIsGivenIsThatOfAll) {

@@ -152,6 +152,13 @@ test('a chunk of wood and steel', () => {
                 close(chunk.matters[0].volume, 44);
                 close(chunk.matters[1].volume, 64);
                 close(chunk.mass, density ? 1000 * 108 : 600 * 44 + 7850 * 64);
+                // What the cut shows of it has a name, though nothing that stayed shows any wood.
+                releasing([report.loose.world(0)], (piece) => {
+                    const { materials } = piece.facts();
+                    const { materials: of, sourceEdits } = piece.faces();
+                    const cut = [...of].filter((_, k) => sourceEdits[k] > 0).map((material) => materials[material]);
+                    assert.deepEqual(cut, ['matter/wood']);
+                });
             });
         }
     });
