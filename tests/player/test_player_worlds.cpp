@@ -86,8 +86,9 @@ TEST_P(PlayerWorlds, AtTheEdgeOfAFreshHoleItStandsOrFallsAndNothingElse) {
         Walk walk = this->walk(floor, {0, 0, kOffset});
         walk.wait(5);
         const double far = rng.uniform(0.1, 1.5);
-        walk.world = cut_at(floor, CutterShape(k % 2), {far, rng.uniform(-0.3, 0.3), 0}, 1, rng.next());
-        walk.wait(90);
+        const Vec3 hole{far, rng.uniform(-0.3, 0.3), 0};
+        walk.world = cut_at(floor, CutterShape(k % 2), hole, 1, rng.next());
+        walk.wait(150);
         EXPECT_TRUE(walk.player.on_ground) << k;
         // On the floor it is where it was; below it, it fell by the hole, which is where it is.
         const bool below = walk.at().z < -2;
