@@ -7,7 +7,7 @@ import { add, cross, length, subtract, times } from './vector.js';
 
 const kMost = 90; // bodies: the ones that lie longest leave
 const kDensity = 2400;
-const kFit = { maxSpheres: 20 };
+const kFit = { maxSpheres: 48, maxError: 0.05 }; // with fewer a bridge lies half a metre in the floor
 const kHeavy = 150; // kilograms: lighter ones do not break by a fall
 const kBreaks = 5; // metres a second that a fall takes away within a step
 const kMostBreaks = 2; // times, of what came of one chunk
