@@ -264,6 +264,15 @@ export interface GameBlast {
     pushed: number;
 }
 
+/** What happened to a projectile of a game. */
+export interface GameShotEvent extends Omit<ShotEvent, 'lengths'> {
+    weapon: number;
+    /** That was met: face, material and matter are then of its world. */
+    part: number | null;
+    /** `point` in the part's frame, metres; zero of no part. */
+    inPart: Vector3;
+}
+
 /** What happened in a tick, and by what happened before it since the tick before. */
 export interface GameReport {
     /** Of each player; none before the tick. */
@@ -271,7 +280,7 @@ export interface GameReport {
     /** In order. */
     blasts: GameBlast[];
     /** Of all weapons one after the other; what they went through is not told. */
-    shotEvents: (Omit<ShotEvent, 'lengths'> & { weapon: number })[];
+    shotEvents: GameShotEvent[];
     /** Of the world that were done: they are in the log. */
     edits: number;
     /** That came to nothing. */

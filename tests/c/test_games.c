@@ -173,6 +173,16 @@ static void test_parts_of_games(firma_world room) {
     CHECK_OK(firma_game_get_part(game, door, &state));
     CHECK(!state.at_first_stop && state.started == 0 && fabs(state.motion.path[2] - 2.0 / 60) < 1e-9);
 
+    /* A bullet meets it. */
+    const double muzzle[3] = {6, 3, 1}, way[3] = {0, -100, 0};
+    firma_shot_event event;
+    size_t count = 0;
+    CHECK_OK(firma_game_fire(game, 0, muzzle, way));
+    CHECK_OK(firma_game_step(game));
+    CHECK_OK(firma_game_shot_events(game, &event, NULL, 1, &count));
+    CHECK(count >= 1 && event.part == door && fabs(event.in_part[1] - 0.125) < 1e-3);
+    CHECK_OK(firma_game_get_part(game, door, &state));
+
     /* The parts as a list that is asked like one of a level. */
     firma_parts parts = {0};
     CHECK_OK(firma_game_parts(game, &parts));

@@ -534,8 +534,11 @@ export class Game extends Handle {
             const weapons = lent.take(4 * count);
             core.run('firma_game_shot_events', this[ID], at, weapons, count, core.at.out);
             return Array.from({ length: count }, (_, k) => {
-                const { lengths, ...event } = getEvent(core, at + k * layout.SHOT_EVENT.sizeof, []);
-                return { weapon: core.getU32(weapons + 4 * k), ...event };
+                const one = at + k * layout.SHOT_EVENT.sizeof;
+                const { lengths, ...event } = getEvent(core, one, []);
+                const part = orNull(core.getU32(one + layout.SHOT_EVENT.part));
+                const inPart = core.getVector(one + layout.SHOT_EVENT.inPart);
+                return { weapon: core.getU32(weapons + 4 * k), ...event, part, inPart };
             });
         });
     }

@@ -108,6 +108,14 @@ test('what happens is in the report, and what is there can be asked', () => {
         }
         assert.ok(['ricochet', 'stopped', 'entered'].includes(events[0].kind));
         assert.ok(!('lengths' in events[0]));
+        assert.deepEqual([events[0].part, events[0].inPart], [null, [0, 0, 0]]);
+        // One at the door.
+        const leaf = game.part(0).motion.position;
+        game.fire(0, [leaf[0], leaf[1] + 1, leaf[2] + 1], [0, -100, 0]);
+        game.step();
+        const [met] = game.report().shotEvents.filter((event) => event.weapon === 0);
+        assert.equal(met.part, 0);
+        assert.ok(Math.abs(met.inPart[1] - 0.125) < 1e-3, `${met.inPart}`);
         const log = hold(game.log());
         assert.ok(log.facts().commandCount >= 1);
         assert.equal(hold(game.parts()).count(), 1);

@@ -443,6 +443,7 @@ const flying: Projectiles = game.projectiles(1);
 const gameReport: GameReport = game.report();
 const gameBlast: GameBlast | undefined = gameReport.blasts[0];
 const shotBy: number | undefined = gameReport.shotEvents[0]?.weapon;
+const shotAt: number | null | undefined = gameReport.shotEvents[0]?.part;
 const solids: World[] = [game.world(), game.bodySolid(put)];
 const spheres: Float64Array = game.bodySpheres(put);
 const gameHash: bigint = game.hash();
@@ -460,4 +461,4 @@ game.hashItems('door');
 game.addBody(ballShape, { position: [0, 0, 0] }, { position: [1, 0, 0] });
 // @ts-expect-error nothing recorded is of games
 games.game(level4);
-export { alsoGames, status, started, tall, eye, flying, gameBlast, shotBy, solids, spheres, gameHash, parted, tapedEvent, replayState, kindOf, made };
+export { alsoGames, status, started, tall, eye, flying, gameBlast, shotBy, shotAt, solids, spheres, gameHash, parted, tapedEvent, replayState, kindOf, made };
