@@ -148,18 +148,21 @@ std::string BodyDepths::fault(const World& world, const Bodies& bodies) {
     return "";
 }
 
+/// Of a sphere's centre: the centre of mass need not be in any sphere, and may lie beyond a thin wall.
+bool BodyDepths::is_lost(const World& world, const Vec3& centre) const {
+    const Location at = locate(world, centre);
+    return at.where == Where::kUnknown || (at.where == Where::kAir && outside_[at.room.value]);
+}
+
 std::string BodyDepths::fault_of(const World& world, const firma::Body& body) {
     const double skin = world.tolerance().contact_offset;
-    if (kept_in_) {
-        const Location at = locate(world, body.position);
-        if (at.where == Where::kUnknown || (at.where == Where::kAir && outside_[at.room.value])) return "lost";
-    }
     const Pose pose = pose_of(body);
     const TurnMatrix turn = matrix_of(pose.rotation);
     for (const Sphere& sphere : body.shape.spheres()) {
         ++looked_at_;
         const Vec3 centre = pose.position + turn * sphere.centre;
         if (locate(world.solid(), centre) == Where::kSolid) return "a centre in solid";
+        if (kept_in_ && is_lost(world, centre)) return "lost";
         const NearFace near = closest(world, centre, sphere.radius);
         if (!near || !world.face_info(near.face)->solid) continue;
         const double depth = sphere.radius - near.distance;

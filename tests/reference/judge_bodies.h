@@ -30,6 +30,7 @@ public:
     std::uint64_t looked_at() const { return looked_at_; }
 
 private:
+    bool is_lost(const World& world, const Vec3& centre) const;
     std::string fault_of(const World& world, const firma::Body& body);
 
     const bool kept_in_;
