@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "firma/brush_parts.h"
@@ -84,9 +85,9 @@ TEST(BrushParts, WhatTurnsDoesSoAboutItsOriginBrush) {
     EXPECT_EQ(bare.notes[0].entity, 1u);
     // The box that hangs 1.5 below its origin, in units of metres less than 8: as one of 8.
     const BrushPart swings = part_of(moving_entity("func_pendulum", key("speed", "10"), origin));
-    const double quarter = 0.25 * 2 * M_PI / std::sqrt(800.0 / 24);
+    const double quarter = 0.25 * 2 * std::numbers::pi / std::sqrt(800.0 / 24);
     const Vec3 tip = matrix_of(part_pose(swings.path, quarter).rotation) * Vec3{0, 0, -1};
-    expect_near(tip, {0, std::sin(10 * M_PI / 180), -std::cos(10 * M_PI / 180)});
+    expect_near(tip, {0, std::sin(10 * std::numbers::pi / 180), -std::cos(10 * std::numbers::pi / 180)});
 }
 
 TEST(BrushParts, BobsTrainsAndWhatBreaks) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "firma/part_path.h"
 #include "scenes/rng.h"
@@ -84,7 +85,7 @@ TEST(PartPath, SwingsAreSinesOfTheTime) {
     bob.stops = {{{1, 2, 3}, 0, 0, 0}};
     bob.swing = {{0, 0, 0.5}, 0.25, 4, 0.125};
     for (int k = -40; k < 400; ++k) {
-        const double seconds = k * 0.1, sine = std::sin(2 * M_PI * (seconds / 4 + 0.125));
+        const double seconds = k * 0.1, sine = std::sin(2 * std::numbers::pi * (seconds / 4 + 0.125));
         const Pose pose = part_pose(bob, seconds);
         EXPECT_LT(length(pose.position - Vec3{1, 2, 3 + 0.5 * sine}), 1e-12);
         EXPECT_LT(
