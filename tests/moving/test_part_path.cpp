@@ -67,8 +67,8 @@ TEST(PartPath, SpinKeepsItsPaceForDays) {
     blade.rotation = turn_by({0.4, 0, 0});
     for (const double seconds : {0.0, 0.7, 86400.0, -20.0, 3e7}) {
         const Pose pose = part_pose(blade, seconds);
-        const Quaternion wanted =
-            compose(turn_by({0, 0, double(remainderl(3.0L * seconds, 2 * M_PIl))}), blade.rotation);
+        const Quaternion wanted = compose(
+            turn_by({0, 0, double(remainderl(3.0L * seconds, 2 * std::numbers::pi_v<long double>))}), blade.rotation);
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 unit;
             unit[axis] = 1;
