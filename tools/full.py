@@ -71,7 +71,7 @@ LOG_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include
 
 
 # Test programs that ctest labels "heavy" under the sanitizers; tests/full/sanitized.sh fails when there are others.
-HEAVY_PROGRAMS = 30
+HEAVY_PROGRAMS = 34
 HEAVY_SHARE = 5
 
 
