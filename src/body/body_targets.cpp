@@ -14,13 +14,16 @@
 namespace firma {
 namespace {
 
-/// On the surface grid, outward; cut off at the rim of the world.
+/// Bodies may be twice as far out as the rim of the world, as projectiles may.
+constexpr double kTargetSteps = kSurfaceSteps / 2;
+
+/// In whole steps, outward; cut off where no projectile flies.
 GridBox grid_box_around(const Vec3& centre, double reach) {
     const auto step = [](double at) { return std::int32_t(std::clamp(at, double(INT32_MIN), double(INT32_MAX))); };
     GridBox box;
     for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = step(std::floor((centre[axis] - reach) * kSurfaceSteps) - 1);
-        box.high[axis] = step(std::ceil((centre[axis] + reach) * kSurfaceSteps) + 1);
+        box.low[axis] = step(std::floor((centre[axis] - reach) * kTargetSteps) - 1);
+        box.high[axis] = step(std::ceil((centre[axis] + reach) * kTargetSteps) + 1);
     }
     return box;
 }
@@ -53,7 +56,8 @@ BodyMet BodyTargets::first(const Ray& ray, std::uint32_t mask) const {
     if (make_sweep({ray.start, 0}, ray.path, sweep) != Status::kHit) return met;
     const SweepBox boxes(sweep);
     const auto meets = [&](const GridBox& box) {
-        const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+        const Vec3 low = to_metres(box.low) * (kSurfaceSteps / kTargetSteps);
+        const Vec3 high = to_metres(box.high) * (kSurfaceSteps / kTargetSteps);
         double nearest;
         return boxes.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, sweep.end, nearest);
     };

@@ -16,6 +16,8 @@ inline constexpr double kBallSlop = 1e-6;
 inline constexpr double kSmallestBall = 1e-4;
 /// Slop, metres: what is less far in front of a plane lies in it, as far as spheres that touch it are concerned.
 inline constexpr double kInPlaneSlop = 1e-6;
+/// Slop, metres: what a part takes along goes along chords that are no farther from its arc.
+inline constexpr double kMaxSag = 1e-4;
 /// Slop, of a substep: a step of a whole number of substeps is one, however its seconds were rounded.
 inline constexpr double kSubstepSlop = 1e-6;
 

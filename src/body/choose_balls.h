@@ -32,22 +32,31 @@ public:
     /// @param most   1 or more
     /// @param error  metres, above zero
     /// @param guess  metres: about what it will come to; less than `error` is taken for that
-    Chosen choose(std::size_t most, double error, double guess) const;
+    Chosen choose(std::size_t most, double error, double guess);
 
 private:
     static constexpr double kMostUnits = 30000;
     using Row = std::array<std::int16_t, PointCloud::kRow>;
 
+    /// How far the points of a row are from a ball: each by itself only where some are near enough to matter.
+    struct Gaps {
+        static constexpr std::uint32_t kNotMade = UINT32_MAX;
+        std::int16_t bound = INT16_MAX;  ///< none is less
+        std::uint32_t at = kNotMade;     ///< in made_
+    };
+
     std::int16_t in_units(float gap) const;
-    void gaps(const Sphere& ball, std::size_t row, Row& to) const;
+    /// Of each point of a row from a ball.
+    const Row& gaps(std::size_t ball, std::size_t row);
     /// Taken one by one, each the one that is near most of the points that none so far is near. Of several the first.
-    std::vector<std::uint32_t> cover(double error, std::size_t most) const;
+    std::vector<std::uint32_t> cover(double error, std::size_t most);
 
     double unit_;  ///< metres: gaps are whole numbers of it
     std::vector<Sphere> balls_;
     PointCloud points_;
-    std::vector<std::vector<Row>> gaps_;  ///< of a ball, row by row: how far each point is from it
-    std::vector<Row> least_;              ///< of each point: from the nearest ball
+    std::vector<std::vector<Gaps>> gaps_;  ///< of a ball, row by row
+    std::vector<Row> made_;
+    std::vector<Row> least_;  ///< of each point: from the nearest ball
 };
 
 }  // namespace firma

@@ -33,6 +33,7 @@ struct Fitter {
     const Solid& solid;
     const FitOptions& options;
     const double error, reach;
+    const int longest;  ///< axis of its box
     double area = 0;
     std::vector<SurfaceTriangle> triangles;
     BallChoice choice;
@@ -51,17 +52,27 @@ struct Fitter {
         if (ball.radius > 0) choice.add_ball(ball);
     }
 
+    /// Neighbours in the order are near each other then, so that whole rows of points can be passed over.
+    static void sort_along(int axis, std::vector<Vec3>& points) {
+        sort_range(points, [axis](const Vec3& a, const Vec3& b) {
+            return a[axis] != b[axis] ? a[axis] < b[axis] : comes_before(a, b);
+        });
+    }
+
     void gather() {
         triangles = triangles_of(solid);
         for (const SurfaceTriangle& triangle : triangles) area += area_of(triangle);
-        for (const Vec3& corner : corners_of(triangles)) add_sample(corner);
+        std::vector<Vec3> corners = corners_of(triangles);
         const double least = error / 2, count = double(options.max_spheres);
         const double some = std::clamp(kPointsASphere * count, kMinPoints, kMaxPoints);
         const double few = std::clamp(kBallsASphere * count, kMinBalls, kMaxBalls);
-        for (const SurfacePoint& point : surface_points(triangles, std::max(least, std::sqrt(area / some))))
-            add_sample(point.at);
-        for (const Vec3& point : side_points(triangles, std::max(least, std::sqrt(area / some)) / 2))
-            choice.add_point(point);
+        const double spacing = std::max(least, std::sqrt(area / some));
+        for (const SurfacePoint& point : surface_points(triangles, spacing)) corners.push_back(point.at);
+        sort_along(longest, corners);
+        for (const Vec3& point : corners) add_sample(point);
+        std::vector<Vec3> sides = side_points(triangles, spacing / 2);
+        sort_along(longest, sides);
+        for (const Vec3& point : sides) choice.add_point(point);
         std::vector<Sphere> balls;
         for (const SurfacePoint& point : surface_points(triangles, std::max(least, std::sqrt(area / few))))
             if (const std::optional<Sphere> ball = inner_ball(solid, samples, point, reach)) balls.push_back(*ball);
@@ -120,6 +131,11 @@ struct Fitter {
     }
 };
 
+int longest_axis(const Vec3& size) {
+    const int axis = size.y > size.x ? 1 : 0;
+    return size.z > size[axis] ? 2 : axis;
+}
+
 std::optional<Error> fault_of(const Solid& solid, const FitOptions& options) {
     const auto invalid = [](std::string reason) { return Error{ErrorCode::kInvalid, {}, std::move(reason)}; };
     if (solid.rock_outside()) return invalid("the solid reaches to infinity: only bodies are covered");
@@ -139,7 +155,15 @@ Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options) {
     const Vec3 size = box.high - box.low;
     const double error = options.max_error > 0 ? options.max_error : max_abs(size) / 20;
     const Vec3 middle = (box.low + box.high) * 0.5;
-    Fitter fitter{solid, options, error, max_abs(size), 0, {}, BallChoice(middle, length(size)), PointCloud(middle)};
+    Fitter fitter{solid,
+                  options,
+                  error,
+                  max_abs(size),
+                  longest_axis(size),
+                  0,
+                  {},
+                  BallChoice(middle, length(size)),
+                  PointCloud(middle)};
     fitter.gather();
     SphereFit best;
     best.error = INFINITY;
@@ -158,7 +182,9 @@ Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options) {
         const bool in_vain = chosen.error > target && chosen.error > before * (1 - kGain);
         if (far.at_most <= error || (is_right && (is_full || in_vain))) break;
         guess = before = chosen.error;
-        for (const Vec3& point : far.too_far) fitter.add_around(point);
+        // Where there are too few spheres smaller balls gain nothing.
+        for (const Vec3& point : far.too_far)
+            chosen.error > target ? fitter.add_sample(point) : fitter.add_around(point);
     }
     if (best.spheres.empty()) return Error{ErrorCode::kInvalid, {}, "the solid has no room for a sphere"};
     sort_range(best.spheres, is_larger);

@@ -2,6 +2,7 @@
 // Distances to many points, row by row.
 #include "body/point_cloud.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,8 @@ namespace firma {
 namespace {
 
 constexpr float kFarAway = 1e18f;
+/// A bound rounds, and so does what it bounds.
+constexpr float kBoundSlack = 1 - 0x1p-20f;
 
 }  // namespace
 
@@ -18,12 +21,31 @@ void PointCloud::add(const Vec3& point) {
     if (at == 0) {
         Axes& fresh = rows_.emplace_back();
         for (Row* axis : {&fresh.x, &fresh.y, &fresh.z}) axis->fill(kFarAway);
+        fresh.low.fill(kFarAway);
+        fresh.high.fill(-kFarAway);
     }
     const Vec3 way = point - middle_;
     Axes& row = rows_.back();
-    row.x[at] = float(way.x);
-    row.y[at] = float(way.y);
-    row.z[at] = float(way.z);
+    const Corner corner{float(way.x), float(way.y), float(way.z)};
+    row.x[at] = corner[0];
+    row.y[at] = corner[1];
+    row.z[at] = corner[2];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        row.low[axis] = std::min(row.low[axis], corner[axis]);
+        row.high[axis] = std::max(row.high[axis], corner[axis]);
+    }
+}
+
+float PointCloud::least_square(std::size_t row, const Vec3& from) const {
+    const Axes& axes = rows_[row];
+    const Vec3 way = from - middle_;
+    float sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float at = float(way[axis]), low = axes.low[std::size_t(axis)], high = axes.high[std::size_t(axis)];
+        const float off = at < low ? low - at : at > high ? at - high : 0;
+        sum += off * off;
+    }
+    return sum * kBoundSlack;
 }
 
 void PointCloud::squares(std::size_t row, const Vec3& from, Row& to) const {
@@ -44,6 +66,7 @@ PointCloud::Nearest PointCloud::nearest(const Vec3& from) const {
     std::size_t best_row = 0, at = 0;
     Row found;
     for (std::size_t row = 0; row < rows_.size(); ++row) {
+        if (std::bit_cast<std::int32_t>(least_square(row, from)) >= best) continue;
         squares(row, from, found);
         std::int32_t least = INT32_MAX;
         for (std::size_t k = 0; k < kRow; ++k) {

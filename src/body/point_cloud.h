@@ -25,6 +25,8 @@ public:
 
     /// Of the distances from a point to those of one row: square metres.
     void squares(std::size_t row, const Vec3& from, Row& to) const;
+    /// None of squares() is less. Rows whose points lie near each other are passed over by this.
+    float least_square(std::size_t row, const Vec3& from) const;
 
     struct Nearest {
         double distance = 0;  ///< metres
@@ -34,8 +36,10 @@ public:
     Nearest nearest(const Vec3& from) const;
 
 private:
+    using Corner = std::array<float, 3>;
     struct Axes {
         Row x, y, z;
+        Corner low, high;  ///< of a box around them
     };
 
     Vec3 middle_;

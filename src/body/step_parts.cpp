@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/hasher.h"
+#include "body/body_tolerance.h"
 #include "cast/sweep.h"
 #include "moving/arc.h"
 
@@ -122,7 +123,6 @@ Hit StepParts::cast_sphere(std::uint32_t number, const Arc& arc, double radius, 
 
 StepParts::Carried StepParts::carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation,
                                       double from) const {
-    constexpr double kMaxSag = 1e-4;  // metres between arc and chord
     const RigidMotion& motion = parts_[part].motion;
     const Vec3 seen = PartFrame(motion, from).in(position);
     // No farther from the axis than that; an arc of an angle a is r a^2 / 8 off its chord.

@@ -9,6 +9,7 @@
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/random_vector.h"
 
 namespace firma {
 namespace {
@@ -165,9 +166,10 @@ TEST(BodiesOnParts, AFastDoorNeverPassesThroughABall) {
         ride.level = box_world({-400, -400, -400}, {-300, -300, -300});
         ride.options.gravity = {};
         ride.motion = [](int step) { return straight({0, 0, 0}, {30, 0, 0}, step); };
-        const BodyId id = add_body(ride.bodies, body_here(ball(rng.uniform(0.05, 0.3)), {rng.uniform(0.5, 3), 0, 0}));
+        const Vec3 at{rng.uniform(0.5, 3), 0, 0};
+        const BodyId id = add_body(ride.bodies, body_here(ball(rng.uniform(0.05, 0.3)), at));
         ride.bodies.find(id)->velocity = {rng.uniform(-60, 0), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-        ride.bodies.find(id)->spin = rng.direction() * rng.uniform(0, 50);
+        ride.bodies.find(id)->spin = test::random_vector(rng, 0, 50);
         for (int tick = 0; tick < 30; ++tick) {
             ride.run(1);
             const double face = ride.now().position.x + ride.now().path.x + 0.0625;
@@ -188,7 +190,7 @@ TEST(BodiesOnParts, ABladeIsNeverEntered) {
         ride.motion = [](int step) { return spinning({0, 0, 0}, 20, step); };
         scenes::Rng rng{std::uint64_t(seed)};
         for (int k = 0; k < 30; ++k) {
-            const Vec3 from = rng.direction() * rng.uniform(2.5, 6);
+            const Vec3 from = test::random_vector(rng, 2.5, 6);
             Body body = body_here(k % 2 ? ball(0.15) : box_body({0.2, 0.15, 0.1}), from);
             body.velocity = from * -rng.uniform(1, 8);
             add_body(ride.bodies, body);

@@ -6,6 +6,7 @@
 
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/random_vector.h"
 
 namespace firma {
 namespace {
@@ -73,7 +74,7 @@ TEST(BodySweeps, NothingFliesThroughAPlate) {
         Body bullet = body_here(rng.chance(0.5) ? ball(size) : box_body({size, size / 2, size / 3}),
                                 {rng.uniform(-4, -0.5), rng.uniform(-0.5, 0.5), 50 + rng.uniform(-0.5, 0.5)});
         bullet.velocity = {std::pow(10.0, rng.uniform(1, 3)), 0, 0};
-        bullet.spin = rng.direction() * rng.uniform(0, 200);
+        bullet.spin = test::random_vector(rng, 0, 200);
         if (rng.chance(0.5)) bodies.find(wall)->spin = {0, 0, rng.uniform(-0.5, 0.5)};
         const BodyId id = add_body(bodies, bullet);
         const Whole before = whole_of(bodies);
@@ -95,7 +96,7 @@ TEST(BodySweeps, ACrowdKeepsItsMomentum) {
         Rng rng{std::uint64_t(seed)};
         Bodies bodies;
         for (int k = 0; k < 60; ++k) {
-            const Vec3 at = rng.direction() * rng.uniform(2, 6);
+            const Vec3 at = test::random_vector(rng, 2, 6);
             Body one = body_here(rng.chance(0.5) ? ball(rng.uniform(0.05, 0.3)) : box_body({0.3, 0.2, 0.1}),
                                  at + Vec3{0, 0, 600});
             one.velocity = at * -rng.uniform(10, 60);

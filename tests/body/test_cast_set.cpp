@@ -9,6 +9,7 @@
 #include "firma/rooms.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -48,7 +49,7 @@ void for_motions(const World& world, const SphereSet& spheres, double turn, int 
         for (int axis = 0; axis < 3; ++axis) motion.position[axis] = rng.uniform(box.low[axis], box.high[axis]);
         if (locate(world, motion.position).where != Where::kAir) continue;
         motion.rotation = random_turn(rng.next());
-        motion.path = rng.direction() * rng.uniform(0, 3);
+        motion.path = test::random_vector(rng, 0, 3);
         motion.turn = rng.direction() * turn;
         if (gap_at(world, spheres, motion, 0) < 0.002) continue;
         ++made;
@@ -131,11 +132,11 @@ TEST(CastSetPair, AsSampled) {
         RigidMotion a, b;
         a.rotation = random_turn(rng.next());
         b.rotation = random_turn(rng.next());
-        b.position = rng.direction() * rng.uniform(0.3, 3);
-        a.path = rng.direction() * rng.uniform(0, 4);
-        b.path = rng.direction() * rng.uniform(0, 4);
-        a.turn = rng.direction() * rng.uniform(0, 6);
-        if (k % 3) b.turn = rng.direction() * rng.uniform(0, 6);
+        b.position = test::random_vector(rng, 0.3, 3);
+        a.path = test::random_vector(rng, 0, 4);
+        b.path = test::random_vector(rng, 0, 4);
+        a.turn = test::random_vector(rng, 0, 6);
+        if (k % 3) b.turn = test::random_vector(rng, 0, 6);
         const auto gap = [&](double fraction) {
             double least = INFINITY;
             for (const Sphere& one : spheres)

@@ -6,6 +6,7 @@
 #include "firma/rooms.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/random_vector.h"
 
 namespace firma {
 namespace {
@@ -58,7 +59,7 @@ TEST(Energy, PlanksShotIntoTheGround) {
         plank.rotation =
             normalised(Quaternion{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)});
         plank.velocity = {rng.uniform(-100, 100), rng.uniform(-100, 100), rng.uniform(-200, -20)};
-        plank.spin = rng.direction() * rng.uniform(0, 200);
+        plank.spin = test::random_vector(rng, 0, 200);
         plank.friction = 0.6;
         expect_no_more(world, plank, 120);
     }

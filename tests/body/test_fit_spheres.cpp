@@ -11,6 +11,7 @@
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -166,7 +167,7 @@ TEST(CoverError, IsProvenFromAboveAndNotFarFromTrue) {
 TEST(SphereAround, HoldsAll) {
     scenes::Rng rng(5);
     SphereSet spheres;
-    for (int k = 0; k < 50; ++k) spheres.push_back({rng.direction() * rng.uniform(0, 3), rng.uniform(0.01, 1)});
+    for (int k = 0; k < 50; ++k) spheres.push_back({test::random_vector(rng, 0, 3), rng.uniform(0.01, 1)});
     const Sphere around = sphere_around(spheres);
     for (const Sphere& sphere : spheres)
         EXPECT_LE(length(sphere.centre - around.centre) + sphere.radius, around.radius * (1 + 1e-15));

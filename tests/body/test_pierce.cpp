@@ -16,6 +16,7 @@
 #include "tests/body/simple_bodies.h"
 #include "tests/carve/cutters.h"
 #include "tests/openarena_maps.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
 
@@ -61,7 +62,7 @@ TEST(Pierce, ChordsOfBoxes) {
     int through = 0;
     Piercing found;
     for (int k = 0; k < test::sample(20000); ++k) {
-        const Vec3 start = point_in({{-6, -6, -2}, {6, 7, 5}}, rng), path = rng.direction() * rng.uniform(0, 14);
+        const Vec3 start = point_in({{-6, -6, -2}, {6, 7, 5}}, rng), path = test::random_vector(rng, 0, 14);
         pierce(world, {start, path}, found);
         double sum = 0;
         for (const Box& box : boxes) sum += chord_of(box, start, path);
@@ -261,8 +262,10 @@ Judged judge_level(const World& world, int count, std::uint64_t seed) {
     Judged judged;
     Piercing found;
     const Box box = world.bounds();
-    for (int k = 0; k < count; ++k)
-        judge_path(world, point_in(box, rng), rng.direction() * rng.uniform(1, 40), rng, found, judged);
+    for (int k = 0; k < count; ++k) {
+        const Vec3 path = test::random_vector(rng, 1, 40);
+        judge_path(world, point_in(box, rng), path, rng, found, judged);
+    }
     const std::vector<Face> faces = world.faces();
     for (int k = 0; k < count; ++k) {
         const Face& face = faces[rng.next() % faces.size()];

@@ -14,6 +14,7 @@
 #include "tests/carve/cutters.h"
 #include "tests/lent_threads.h"
 #include "tests/openarena_maps.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
 
@@ -50,7 +51,7 @@ TEST(Projectiles, AParabolaInStepsOfAnyLength) {
     Rng rng(1);
     const World empty;
     for (int run = 0; run < 20; ++run) {
-        const Vec3 start = rng.direction() * rng.uniform(0, 1000), velocity = rng.direction() * rng.uniform(0, 900);
+        const Vec3 start = test::random_vector(rng, 0, 1000), velocity = test::random_vector(rng, 0, 900);
         Projectile it = shot(start, velocity);
         FlyOptions options;
         options.gravity = {rng.uniform(-2, 2), 1, -9.81};
@@ -375,6 +376,21 @@ TEST(Projectiles, AShutDoorStopsIt) {
     EXPECT_EQ(events[0].kind, ShotEventKind::kStopped);
 }
 
+TEST(Projectiles, BodiesAreMetWhereverProjectilesFly) {
+    const World empty;
+    for (const double x : {-16000.0, -8192.0, -8000.0, 8190.0, 8200.0, 12000.0, 16000.0}) {
+        Bodies bodies;
+        const BodyId id = add_body(bodies, test::body_here(test::ball(0.5), {x, x / 2, -x / 3}));
+        Projectile it = shot({x - 2, x / 2, -x / 3}, {100, 0, 0}),
+                   beside = shot({x - 2, x / 2 + 0.6, -x / 3}, {100, 0, 0});
+        const std::vector<ShotEvent> events = fly_one(empty, it, 0.05, without_gravity(), &bodies);
+        ASSERT_EQ(events.size(), 1u) << x;
+        EXPECT_EQ(events[0].body, id);
+        EXPECT_NEAR(events[0].point.x, x - 0.5, 1e-9);
+        EXPECT_TRUE(fly_one(empty, beside, 0.05, without_gravity(), &bodies).empty()) << x;
+    }
+}
+
 TEST(Projectiles, BodiesTakeTheImpulse) {
     const World empty;
     Bodies bodies;
@@ -439,7 +455,7 @@ std::vector<Projectile> shots_in(const World& world, int count, std::uint64_t se
         Vec3 at;
         for (int axis = 0; axis < 3; ++axis) at[axis] = rng.uniform(box.low[axis], box.high[axis]);
         if (locate(world, at).where != Where::kAir) continue;
-        shots.push_back(shot(at, rng.direction() * rng.uniform(5, 900)));
+        shots.push_back(shot(at, test::random_vector(rng, 5, 900)));
     }
     return shots;
 }

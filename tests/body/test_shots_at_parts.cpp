@@ -12,6 +12,7 @@
 #include "tests/body/level_floors.h"
 #include "tests/lent_threads.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
 
@@ -80,13 +81,19 @@ TEST(ShotsAtParts, APartThatStandsIsMetAsTheLevelIs) {
                                           .restitution = rng.uniform(0, 1),
                                           .friction = rng.uniform(0, 1),
                                           .resistance = rng.uniform(100, 4000)});
-        const Vec3 from = rng.direction() * rng.uniform(2.5, 4), to = rng.direction() * rng.uniform(0, 1.5);
+        const Vec3 from = random_vector(rng, 2.5, 4), to = random_vector(rng, 0, 1.5);
         Projectile one = shot_at(from, (to - from) * (1.5 / kStep)), other = one;
         const std::vector<ShotEvent> of_level = fly_once(Scene{level}, one, kStep, options);
         const std::vector<ShotEvent> of_part = fly_once(Scene{nothing, parts}, other, kStep, options);
         ASSERT_EQ(of_level.size(), of_part.size()) << k;
+        double apart = 1e-7;
+        Vec3 came = (to - from) * (1.5 / kStep);
         for (std::size_t e = 0; e < of_level.size(); ++e) {
             const ShotEvent &a = of_level[e], &b = of_part[e];
+            // It goes on from 0.01 mm in front of a level, from a part at most 1 mm back on its way.
+            const double sine = -dot(came, a.normal) / length(came);
+            if (a.kind == ShotEventKind::kRicochet && sine < 0.01) apart += 2e-5 / sine;
+            came = a.velocity;
             ++kinds[std::size_t(a.kind)];
             EXPECT_EQ(a.kind, b.kind);
             EXPECT_EQ(a.part, kNoPart);
@@ -99,7 +106,7 @@ TEST(ShotsAtParts, APartThatStandsIsMetAsTheLevelIs) {
             EXPECT_LT(length(a.point - b.point), 1e-9);
             EXPECT_LT(length(a.velocity - b.velocity), 1e-6);
         }
-        EXPECT_LT(length(one.position - other.position), 1e-7);
+        EXPECT_LT(length(one.position - other.position), apart) << k;
         EXPECT_EQ(one.state, other.state);
     }
     for (const ShotEventKind kind : {ShotEventKind::kRicochet, ShotEventKind::kLeft, ShotEventKind::kStopped})
@@ -354,8 +361,8 @@ TEST(ShotsAtParts, BetweenADoorAndAWall) {
         // A door that shuts to the wall, and what bounces between them.
         const Vec3 comes{rng.uniform(5, 60), 0, 0};
         const std::vector<MovingPart> parts{going(wall_world(), {-0.25 - comes.x * kStep, 0, 0}, comes)};
-        Projectile it = shot_at({-rng.uniform(1e-4, comes.x * kStep), 0, 0},
-                                {rng.uniform(-200, 200), rng.uniform(-50, 50), rng.uniform(-50, 50)});
+        const Vec3 at{-rng.uniform(1e-4, comes.x * kStep), 0, 0};
+        Projectile it = shot_at(at, {rng.uniform(-200, 200), rng.uniform(-50, 50), rng.uniform(-50, 50)});
         FlyOptions options = straight_on({.ricochet_below = 2, .restitution = 0.9, .friction = 0.1});
         options.max_impacts = 1000;
         const std::vector<ShotEvent> events = fly_once({level, parts}, it, kStep, options);
@@ -381,7 +388,7 @@ TEST(ShotsAtParts, RandomMotionsAgainstSampledPoses) {
     const int samples = 2000;
     for (int k = 0; k < sample(600); ++k) {
         const std::vector<MovingPart> parts{MovingPart(cross, random_motion(rng, k % 3, 4))};
-        const Vec3 from = rng.direction() * rng.uniform(0.5, 4), to = rng.direction() * rng.uniform(0, 1.2);
+        const Vec3 from = random_vector(rng, 0.5, 4), to = random_vector(rng, 0, 1.2);
         const Vec3 path = (to - from) * rng.uniform(0.5, 2);
         if (in_part(parts[0], 0, from)) continue;
         Projectile it = shot_at(from, path * (1 / kStep));
@@ -412,7 +419,7 @@ TEST(ShotsAtParts, RandomWaysThrough) {
     int left = 0;
     for (int k = 0; k < sample(600); ++k) {
         const std::vector<MovingPart> parts{MovingPart(cross, random_motion(rng, k % 3, 2))};
-        const Vec3 from = rng.direction() * rng.uniform(2, 4), to = rng.direction() * rng.uniform(0, 1);
+        const Vec3 from = random_vector(rng, 2, 4), to = random_vector(rng, 0, 1);
         if (in_part(parts[0], 0, from)) continue;
         Projectile it = shot_at(from, (to - from) * (1.7 / kStep));
         FlyOptions options = straight_through(20);
@@ -529,7 +536,7 @@ std::vector<Projectile> shots_between(const World& level, int count, Rng& rng) {
         Vec3 at;
         for (int axis = 0; axis < 3; ++axis) at[axis] = rng.uniform(box.low[axis], box.high[axis]);
         if (locate(level, at).where != Where::kAir) continue;
-        shots.push_back(shot_at(at, rng.direction() * rng.uniform(2, 500)));
+        shots.push_back(shot_at(at, random_vector(rng, 2, 500)));
     }
     return shots;
 }
@@ -539,9 +546,9 @@ void add_shots_toward(const World& level, const std::vector<MovingPart>& parts, 
                       std::vector<Projectile>& shots) {
     for (int k = 0; k < count; ++k) {
         const Vec3 target = parts[std::size_t(k) % parts.size()].motion.position;
-        const Vec3 from = target + rng.direction() * rng.uniform(1.5, 5);
+        const Vec3 from = target + random_vector(rng, 1.5, 5);
         if (locate(level, from).where != Where::kAir) continue;
-        const Vec3 way = target + rng.direction() * rng.uniform(0, 0.8) - from;
+        const Vec3 way = target + random_vector(rng, 0, 0.8) - from;
         shots.push_back(shot_at(from, way * (rng.uniform(20, 500) / length(way))));
     }
 }
@@ -603,7 +610,7 @@ TEST_P(ShotsInLevels, NoneThroughAPartOrAWall) {
     EXPECT_GT(all(of_parts, ShotEventKind::kPassed), 5u);
     EXPECT_GT(all(of_parts, ShotEventKind::kStopped), 20u);
     EXPECT_GT(carried, all(of_parts, ShotEventKind::kStopped) * 3 / 4);
-    EXPECT_GT(all(of_level, ShotEventKind::kLeft), 20u);
+    EXPECT_GT(all(of_level, ShotEventKind::kLeft), std::size_t(sample(40)));
 }
 
 TEST_P(ShotsInLevels, TheSameBitsOnAnyThreadsAndWithoutParts) {

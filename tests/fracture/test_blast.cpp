@@ -5,6 +5,7 @@
 #include "firma/blast.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/random_vector.h"
 
 namespace firma {
 namespace {
@@ -72,7 +73,7 @@ TEST(Blasts, NoWallIsEverMissed) {
     scenes::Rng rng(1);
     int inside = 0;
     for (int k = 0; k < 3000; ++k) {
-        const Vec3 to = rng.direction() * rng.uniform(0.1, 20);
+        const Vec3 to = test::random_vector(rng, 0.1, 20);
         const bool out = max_abs(to) > 2, in = max_abs(to) < 2 - thin;
         if (!out && !in) continue;
         inside += in;

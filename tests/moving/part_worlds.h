@@ -5,6 +5,7 @@
 #include "firma/moving_parts.h"
 #include "scenes/rng.h"
 #include "tests/brush/map_text.h"
+#include "tests/random_vector.h"
 #include "tests/world/matter_levels.h"
 
 namespace firma::test {
@@ -35,10 +36,10 @@ inline Vec3 part_point(const RigidMotion& motion, double fraction, const Vec3& p
 /// A motion near the origin: 0 straight, 1 turned at the start alone, 2 turning.
 inline RigidMotion random_motion(scenes::Rng& rng, int kind, double turn) {
     RigidMotion motion;
-    motion.position = rng.direction() * rng.uniform(0, 1);
-    motion.path = rng.direction() * rng.uniform(0, 1.5);
+    motion.position = random_vector(rng, 0, 1);
+    motion.path = random_vector(rng, 0, 1.5);
     if (kind > 0) motion.rotation = random_turn(rng.next());
-    if (kind > 1) motion.turn = rng.direction() * rng.uniform(0, turn);
+    if (kind > 1) motion.turn = random_vector(rng, 0, turn);
     return motion;
 }
 

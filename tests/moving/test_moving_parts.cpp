@@ -9,6 +9,7 @@
 #include "firma/cast_set.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -46,8 +47,8 @@ TEST(MovingParts, StraightIsTheRelativeCastToTheBit) {
         const MovingPart part(solid, test::random_motion(rng, 0, 0));
         const Scene scene{empty, {&part, 1}};
         const RigidMotion& motion = part.motion;
-        const Vec3 at = rng.direction() * rng.uniform(0, 3);
-        const Vec3 path = k % 5 ? rng.direction() * rng.uniform(0, 3) : Vec3{};
+        const Vec3 at = test::random_vector(rng, 0, 3);
+        const Vec3 path = k % 5 ? test::random_vector(rng, 0, 3) : Vec3{};
         const Vec3 there = at - motion.position, way = path - motion.path;
         const double radius = k % 3 ? rng.uniform(0, 0.4) : 0;
         const PartHit ball = cast(scene, Sphere{at, radius}, path);
@@ -83,7 +84,7 @@ TEST(MovingParts, TurnedIsTheCastTurnedBack) {
         const MovingPart part(solid, test::random_motion(rng, 1, 0));
         const Scene scene{empty, {&part, 1}};
         const TurnMatrix rotation = matrix_of(normalised(part.motion.rotation));
-        const Vec3 at = rng.direction() * rng.uniform(0, 3), path = rng.direction() * rng.uniform(0, 3);
+        const Vec3 at = test::random_vector(rng, 0, 3), path = test::random_vector(rng, 0, 3);
         const Vec3 there = rotation.back(at - part.motion.position), way = rotation.back(path - part.motion.path);
         const PartHit got = cast(scene, Sphere{at, 0.25}, path);
         const Hit wanted = cast(solid, Sphere{there, 0.25}, way);
@@ -110,7 +111,7 @@ TEST(MovingParts, HullsMeetTurnedPartsAsHullsTurnedBack) {
         const MovingPart part(solid, test::random_motion(rng, 1, 0));
         const Scene scene{empty, {&part, 1}};
         const TurnMatrix rotation = matrix_of(normalised(part.motion.rotation));
-        const Vec3 at = rng.direction() * rng.uniform(0, 3), path = rng.direction() * rng.uniform(0, 3);
+        const Vec3 at = test::random_vector(rng, 0, 3), path = test::random_vector(rng, 0, 3);
         const Vec3 there = rotation.back(at - part.motion.position), way = rotation.back(path - part.motion.path);
         const Vec3 half{0.3, k % 2 ? 0.2 : 0.01, 0.4};
         const Hull box = make_box(half).value();
@@ -149,7 +150,7 @@ TEST(MovingParts, OverlapsAndNearestAreThoseOfTheFrame) {
         const Pose pose = pose_at(part.motion, fraction);
         const TurnMatrix rotation = matrix_of(pose.rotation);
         const auto in = [&](const Vec3& p) { return rotation.back(p - pose.position); };
-        const Vec3 at = rng.direction() * rng.uniform(0, 2);
+        const Vec3 at = test::random_vector(rng, 0, 2);
         const Hull box = make_box({0.3, 0.2, 0.4}).value();
         const Hull back =
             make_box({0.3, 0.2, 0.4}, {rotation.back({1, 0, 0}), rotation.back({0, 1, 0}), rotation.back({0, 0, 1})})

@@ -10,6 +10,7 @@
 #include "firma/hull.h"
 #include "firma/part_path.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 
 namespace firma::test {
@@ -30,11 +31,11 @@ public:
     Vec3 vector(const Vec3& usual) { return {number(usual.x), number(usual.y), number(usual.z)}; }
     RigidMotion motion() {
         RigidMotion made;
-        made.position = vector(rng.direction() * rng.uniform(0, 1));
-        made.path = vector(rng.direction() * rng.uniform(0, 2));
+        made.position = vector(random_vector(rng, 0, 1));
+        made.path = vector(random_vector(rng, 0, 2));
         if (rng.chance(0.5)) made.rotation = random_turn(rng.next());
         for (double& part : made.rotation) part = number(part);
-        if (rng.chance(0.5)) made.turn = vector(rng.direction() * rng.uniform(0, 6));
+        if (rng.chance(0.5)) made.turn = vector(random_vector(rng, 0, 6));
         return made;
     }
     scenes::Rng rng;

@@ -6,6 +6,7 @@
 
 #include "firma/rooms.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/random_vector.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -18,7 +19,7 @@ class Shape {
 public:
     enum Kind { kParticle, kSphere, kCapsule, kBox, kNeedle, kTetrahedron, kKinds };
 
-    Shape(Kind kind, Rng& rng) : kind_(kind), axis_(rng.direction() * rng.uniform(0.05, 0.6)) {
+    Shape(Kind kind, Rng& rng) : kind_(kind), axis_(test::random_vector(rng, 0.05, 0.6)) {
         if (kind == kSphere || kind == kCapsule) radius_ = rng.uniform(0.01, 0.5);
     }
 
@@ -68,8 +69,8 @@ void judge_turning(Shape::Kind kind, double turn, int count, Judged& judged) {
         motion.turn = rng.direction() * turn;
         const MovingPart part(solid, motion);
         const Scene scene{empty, {&part, 1}};
-        const Vec3 at = rng.direction() * rng.uniform(0, 2.5);
-        const Vec3 path = made % 4 ? rng.direction() * rng.uniform(0, 3) : Vec3{};
+        const Vec3 at = test::random_vector(rng, 0, 2.5);
+        const Vec3 path = made % 4 ? test::random_vector(rng, 0, 3) : Vec3{};
         const Pose pose = pose_at(motion, 0);
         const Vec3 there = matrix_of(pose.rotation).back(at - pose.position);
         if (shape.meets(scene, at, 0, 2 * kPartTouch) || locate(solid, there).where != Where::kAir) continue;

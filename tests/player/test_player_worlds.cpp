@@ -222,7 +222,8 @@ TEST_P(PlayerWorlds, AtAnySpeedItPassesNoWall) {
     scenes::Rng rng(3);
     for (int k = 0; k < 200; ++k) {
         Walk walk = this->walk(room, {rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(0.1, 2)});
-        walk.player.velocity = rng.direction() * std::pow(10.0, rng.uniform(1, 4));
+        const double speed = std::pow(10.0, rng.uniform(1, 4));
+        walk.player.velocity = rng.direction() * speed;
         walk.wait(3);
         EXPECT_FALSE(walk.player.stuck);
     }
