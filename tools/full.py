@@ -191,6 +191,10 @@ def same_everywhere(seed, count):
     return ['tools/same_everywhere.sh', '1000', '100000']
 
 
+def same_games(seed, count):
+    return ['tools/same_games.sh']
+
+
 def levels(what):
     def command(seed, count):
         subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
@@ -286,7 +290,10 @@ CLAIMS = [
     Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, of a log, and of 600 steps of bodies, players and projectiles, to the bit',
           7, 7, 'ways', ['include', *(f':(exclude)include/firma/{header}.h' for header in ('break_parts', 'brush_parts', 'convex_pieces', 'game', 'part_path', 'recording', 'support')), 'src', ':(exclude)src/convex', ':(exclude)src/fracture', ':(exclude)src/game', 'bindings/c', 'bindings/wasm', 'bindings/js/src', 'cmake', 'levels/first.obj', 'CMakeLists.txt', 'CMakePresets.json',
               'tools/same_everywhere.sh']
-          + [f'tests/full/same_{ending}' for ending in ('everywhere.c', 'everywhere.mjs', 'everywhere_browser.mjs', 'games.c', 'games.mjs')], 'test', same_everywhere, 'firma_c'),
+          + [f'tests/full/same_{ending}' for ending in ('everywhere.c', 'everywhere.mjs', 'everywhere_browser.mjs', 'games.c', 'games.mjs')] + ['tests/full/in_chromium.mjs'], 'test', same_everywhere, 'firma_c'),
+    Claim('same_games', 'ways to build and run in which a recorded fight in the depot replays to the same hashes', 8, 8, 'ways',
+          ['include', 'src', 'bindings/c', 'bindings/wasm', 'bindings/js/src', 'cmake', 'levels/depot.map', 'CMakeLists.txt', 'CMakePresets.json', 'tests/game/depot_fight.h', 'tools/same_games.sh',
+           'tests/full/same_games.cpp', 'tests/full/in_chromium.mjs', 'tests/full/replay_recording.mjs', 'tests/full/replay_recording_browser.mjs'], 'test', same_games, 'firma'),
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
           1_000, 'cuts', CARVE_SOURCES + ['include/firma/versions.h', 'src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),

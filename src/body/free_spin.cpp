@@ -2,6 +2,14 @@
 // A body that turns by itself.
 #include "body/free_spin.h"
 
+// g++ 12 makes vfmaddsub of the lines of a turn where the processor has it, whatever -ffp-contract says, and so other
+// bits. It does so where it makes vectors of neighbouring lines.
+#if defined(__GNUC__) && !defined(__clang__)
+#define FIRMA_LINE_BY_LINE __attribute__((noinline, optimize("no-tree-slp-vectorize")))
+#else
+#define FIRMA_LINE_BY_LINE
+#endif
+
 namespace firma {
 namespace {
 
@@ -12,7 +20,7 @@ struct State {
     const Vec3& inertia;
 
     /// About one of its axes, at the pace of the momentum along it.
-    void turn(int axis, double seconds) {
+    FIRMA_LINE_BY_LINE void turn(int axis, double seconds) {
         const double angle = momentum[axis] / inertia[axis] * seconds;
         const SineCosine whole = sine_cosine(angle), half = sine_cosine(angle * 0.5);
         const int next = (axis + 1) % 3, last = (axis + 2) % 3;

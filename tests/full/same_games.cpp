@@ -38,9 +38,8 @@ int replay(const char* path) {
     const GameState& end = replay.game;
     std::size_t bodies = 0;
     for (const Body& body : end.bodies.slots) bodies += body.shape.valid();
-    std::printf("same=%zu explosions=%zu edits=%zu bodies=%zu hash=%016llx\n", std::size_t(replay.ticks),
-                std::size_t(end.explosions), end.log.commands().size(), bodies,
-                static_cast<unsigned long long>(hash_game(end)));
+    std::printf("same=%zu explosions=%zu bodies=%zu hash=%016llx\n", std::size_t(replay.ticks),
+                std::size_t(end.explosions), bodies, static_cast<unsigned long long>(hash_game(end)));
     return replay.ok() ? 0 : 1;
 }
 
