@@ -4,7 +4,9 @@
 # C, Python; static and shared. Ends non-zero on any failure; else prints a line for each thing shown. Installs what is
 # missing (apt).
 #
-#   tools/test_install.sh     CXX and CC: other compilers than g++ and gcc, for library and users
+#   tools/test_install.sh [brief]     CXX and CC: other compilers than g++ and gcc, for library and users
+#
+# brief: not optimised, and the static libraries alone, found by CMake from C++ and C.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -40,6 +42,32 @@ must_print() {
 level=$work/first.obj
 cp levels/first.obj "$level"
 
+user() { # user FOLDER OPTION...: configures and builds a project of tests/install, which sets no build type and no standard
+    local folder=$1
+    shift
+    quietly cmake -S "$work/tests/installed" -B "$work/$folder" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" "$@"
+    quietly cmake --build "$work/$folder"
+}
+static_or_shared() { # static_or_shared FORM: what users' programs over it print
+    user "$1" -DFORM="$1"
+    must_print "find_package, C++, $1" "$work/$1/crater_cpp" "$level" "$work/saved.firma"
+    must_print "find_package, C, $1" "$work/$1/crater_c" "$level" "$work/saved.firma"
+    [ "$("$work/$1/gltf")" = "glTF: 1 face, met after 0.5" ] || fail "glTF, $1: $("$work/$1/gltf")"
+}
+
+case "${1:-}" in
+    "") ;;
+    brief)
+        prefix=$work/prefix
+        cp -r tests/install "$work/tests"
+        quietly cmake -S . -B "${build}_brief" -G Ninja -DFIRMA_UNITE=ON -DFIRMA_BUILD_GLTF=ON -DFIRMA_BUILD_CLI=OFF -DCMAKE_BUILD_TYPE=Debug
+        quietly cmake --build "${build}_brief"
+        quietly cmake --install "${build}_brief" --prefix "$prefix"
+        static_or_shared static
+        exit ;;
+    *) fail "what is $1?" ;;
+esac
+
 # ---- from a build without a build type to an installed tree, elsewhere than it was configured for
 
 [ -e "$build/CMakeCache.txt" ] || unite=(-DFIRMA_UNITE=ON)
@@ -69,19 +97,9 @@ version=$(sed -nE 's/^project\(firma VERSION ([0-9]+\.[0-9]+).*/\1/p' CMakeLists
 
 # ---- find_package
 
-user() { # user FOLDER OPTION...: configures and builds a project of tests/install, which sets no build type and no standard
-    local folder=$1
-    shift
-    quietly cmake -S "$work/tests/installed" -B "$work/$folder" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" "$@"
-    quietly cmake --build "$work/$folder"
-}
 needs_library() { readelf -d "$1" | grep -q "NEEDED.*$2"; }
-for form in static shared; do
-    user "$form" -DFORM=$form
-    must_print "find_package, C++, $form" "$work/$form/crater_cpp" "$level" "$work/saved.firma"
-    must_print "find_package, C, $form" "$work/$form/crater_c" "$level" "$work/saved.firma"
-    [ "$("$work/$form/gltf")" = "glTF: 1 face, met after 0.5" ] || fail "glTF, $form: $("$work/$form/gltf")"
-done
+static_or_shared static
+static_or_shared shared
 needs_library "$work/shared/crater_cpp" libfirma.so || fail "COMPONENTS shared is not shared"
 ! needs_library "$work/static/crater_cpp" libfirma || fail "COMPONENTS static is not static"
 user chosen -DBUILD_SHARED_LIBS=ON
