@@ -85,7 +85,7 @@ must_print "add_subdirectory, unity build, no SIMD, C++" unity/crater_cpp first.
 must_print "add_subdirectory, unity build, no SIMD, C" unity/crater_c first.obj saved.firma
 [ -f unity/libplugin.so ] || fail "no library could be made over the static one"
 
-configure fetched -DFETCH=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release \
+configure fetched -DFETCH=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_C_COMPILER=clang-19 -DCMAKE_CXX_COMPILER=clang++-19
 quietly cmake --build fetched
 must_print "FetchContent, shared, clang 19, C++" fetched/crater_cpp first.obj saved.firma
