@@ -70,20 +70,22 @@ struct BodyId {
 
 /// One body. All of it may be set between steps, but for `use`; set `asleep` to false then.
 struct Body {
-    Vec3 position{};                  ///< of the centre of mass, metres
-    Quaternion rotation{0, 0, 0, 1};  ///< of the frame of its shape; normalised when used
-    Vec3 velocity{};                  ///< of the centre of mass, metres a second
-    Vec3 spin{};                      ///< radians a second, in the world's axes
-    Vec3 force{};                     ///< newtons, besides gravity; kept from step to step
-    Vec3 torque{};                    ///< newton metres
-    BodyShape shape;                  ///< not valid() where no body is
-    double friction = 0.6;            ///< >= 0; of two that touch the geometric mean counts, with the world's as 0.6
-    double restitution = 0.1;         ///< 0..1; of two that touch the larger counts
-    double rolling = 0.02;            ///< >= 0; resistance to rolling, in radii of the sphere that rolls
-    double still_for = 0;             ///< seconds that it has hardly moved for
-    std::uint32_t mask = ~0u;         ///< faces and bodies that share a bit are met
-    std::uint32_t use = 0;            ///< of its slot
-    std::uint32_t island = ~0u;       ///< of those that sleep: they wake together
+    Vec3 position{};                    ///< of the centre of mass, metres
+    Quaternion rotation{0, 0, 0, 1};    ///< of the frame of its shape; normalised when used
+    Vec3 velocity{};                    ///< of the centre of mass, metres a second
+    Vec3 spin{};                        ///< radians a second, in the world's axes
+    Vec3 force{};                       ///< newtons, besides gravity; kept from step to step
+    Vec3 torque{};                      ///< newton metres
+    BodyShape shape;                    ///< not valid() where no body is
+    double friction = 0.6;              ///< >= 0; of two that touch the geometric mean counts, with the world's as 0.6
+    double restitution = 0.1;           ///< 0..1; of two that touch the larger counts
+    double rolling = 0.02;              ///< >= 0; resistance to rolling, in radii of the sphere that rolls
+    double still_for = 0;               ///< seconds that it has hardly moved for from where it was then:
+    Vec3 still_at{};                    ///< its position
+    Quaternion still_turn{0, 0, 0, 1};  ///< its rotation
+    std::uint32_t mask = ~0u;           ///< faces and bodies that share a bit are met
+    std::uint32_t use = 0;              ///< of its slot
+    std::uint32_t island = ~0u;         ///< of those that sleep: they wake together
     bool asleep = false;
     bool stuck = false;    ///< a sphere's centre is in solid: see StepReport::stuck
     bool crushed = false;  ///< in the last step: see StepReport::crushed
@@ -154,7 +156,7 @@ struct StepOptions {
     int substeps_a_second = 240;
     double contact_friction = 0.6;  ///< of the world, >= 0
     double contact_offset = 0;      ///< metres that spheres may sink in, >= 0; 0 takes the World's
-    double sleep_speed = 0.05;      ///< metres a second: what moves less at any point is still
+    double sleep_speed = 0.05;      ///< metres a second: what moves less far in sleep_after at any point is still
     double sleep_after = 0.5;       ///< seconds still; infinity: never
     /// Of one body on its way in one step, off level, parts and bodies together; 0 to 1,000.
     int max_bounces = 4;

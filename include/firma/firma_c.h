@@ -1640,7 +1640,7 @@ typedef struct firma_step_options {
     double gravity[3];          /* 0, 0, -9.81 m/s2 */
     double contact_friction;    /* of the world, >= 0; 0.6 */
     double contact_offset;      /* metres that spheres may sink in; 0, the default, takes the world's */
-    double sleep_speed;         /* metres a second: what moves less at any point is still; 0.05 */
+    double sleep_speed;         /* metres a second: what moves less far in sleep_after is still; 0.05 */
     double sleep_after;         /* seconds still; INFINITY: never; 0.5 */
 } firma_step_options;
 

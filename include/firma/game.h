@@ -232,7 +232,7 @@ struct GameHashes {
 // ---- Bytes ----
 
 /// What pack_game() writes and unpack_game() reads.
-inline constexpr std::uint32_t kGameFileVersion = 1;
+inline constexpr std::uint32_t kGameFileVersion = 2;
 
 /// A game as the bytes of a .firma file: its world, as pack_world() writes it, and sections that other readers pass
 /// over, so that whoever reads worlds reads this one's. The same game gives the same bytes on every machine.

@@ -2,16 +2,12 @@
 // Bodies put in, found, pushed and taken out.
 #include "firma/bodies.h"
 
-#include <algorithm>
-
 #include "body/mover.h"
 #include "body/rest.h"
+#include "body/rolling.h"
 
 namespace firma {
 namespace {
-
-/// Resistance to rolling of a chunk, in radii.
-constexpr double kMostRolling = 0.5;
 
 Body* slot_of(std::vector<Body>& slots, BodyId id) {
     if (id.slot >= slots.size()) return nullptr;
@@ -52,9 +48,7 @@ Result<Body> body_of(const Chunk& chunk, const FitOptions& fit) {
     Pose pose;
     pose.position = chunk.origin;
     Body body = body_at(shape.value(), pose);
-    // Its spheres roll where it would tip over what they leave out: over half of that, about.
-    const double left_out = spheres.value().error / (2 * spheres.value().spheres.front().radius);
-    body.rolling = std::clamp(left_out, body.rolling, kMostRolling);
+    body.rolling = rolling_of(spheres.value(), body.rolling);
     return body;
 }
 

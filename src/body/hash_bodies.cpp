@@ -24,8 +24,10 @@ void add_body_to(Hasher& hash, const Body& body) {
     hash.add(body.use);
     if (!body.shape.valid()) return;
     add_shape(hash, body.shape);
-    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque}) add_vector(hash, v);
-    for (const double part : body.rotation) hash.add(part);
+    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque, body.still_at})
+        add_vector(hash, v);
+    for (const Quaternion& turn : {body.rotation, body.still_turn})
+        for (const double part : turn) hash.add(part);
     for (const double number : {body.friction, body.restitution, body.rolling, body.still_for}) hash.add(number);
     hash.add(body.mask);
     hash.add(body.island);

@@ -2,6 +2,8 @@
 // From a body to what a step works on, and back.
 #include "body/mover.h"
 
+#include "body/turn_between.h"
+
 namespace firma {
 
 Quaternion principal_rotation(const Body& body) {
@@ -19,6 +21,11 @@ Mover make_mover(const Body& body, std::uint32_t slot) {
     mover.inverse_mass = 1 / mover.shape->mass;
     mover.turn_inertia();
     return mover;
+}
+
+double way_of(const Mover& mover) {
+    const double turn = length(turn_between(mover.start_rotation, mover.rotation));
+    return length(mover.position - mover.start) + turn * mover.shape->reach;
 }
 
 void put_back_mover(const Mover& mover, Body& body) {

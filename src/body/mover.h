@@ -71,6 +71,8 @@ struct Mover {
 /// The turn of a body's principal axes.
 Quaternion principal_rotation(const Body& body);
 Mover make_mover(const Body& body, std::uint32_t slot);
+/// Metres: as far as any point of it has gone from where the step began, but for whole turns.
+double way_of(const Mover& mover);
 /// What the step made of it.
 void put_back_mover(const Mover& mover, Body& body);
 

@@ -7,19 +7,31 @@
 
 #include "base/disjoint_sets.h"
 #include "body/mover.h"
+#include "body/turn_between.h"
 #include "world/world_data.h"
 
 namespace firma {
+namespace {
 
-void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepParts& parts,
-          const StepOptions& options) {
-    const auto moves = [&](std::uint32_t slot) { return movers[slot] != kFixed; };
-    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
-        Body& body = bodies.slots[slot];
-        if (!body.shape.valid() || !moves(slot)) continue;
-        const double speed = length(body.velocity) + length(body.spin) * body.shape.reach();
-        body.still_for = speed < options.sleep_speed ? body.still_for + seconds : 0;
-    }
+/// What trembles in its place, or has no room to go where its velocity takes it, is as still as what has none.
+void count_still(Body& body, double seconds, const StepOptions& options) {
+    // What turns all the way round in a step comes back to where it was.
+    constexpr double kClearTurn = 1;  // radians a step
+    const double turned = length(turn_between(normalised(body.still_turn), normalised(body.rotation)));
+    const double way = length(body.position - body.still_at) + turned * body.shape.reach();
+    body.still_for += seconds;
+    if (way < options.sleep_speed * options.sleep_after && length(body.spin) * seconds < kClearTurn) return;
+    body.still_for = 0;
+    body.still_at = body.position;
+    body.still_turn = body.rotation;
+}
+
+}  // namespace
+
+void rest(Bodies& bodies, std::span<const Mover> movers, std::span<const std::uint32_t> movers_of_slots, double seconds,
+          const StepParts& parts, const StepOptions& options) {
+    for (const Mover& mover : movers) count_still(bodies.slots[mover.slot], seconds, options);
+    const auto moves = [&](std::uint32_t slot) { return movers_of_slots[slot] != kFixed; };
     DisjointSets islands(bodies.slots.size());
     std::vector<bool> held(bodies.slots.size());
     for (const BodyContact& contact : bodies.contacts) {

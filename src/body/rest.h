@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "body/mover.h"
 #include "body/step_parts.h"
 #include "firma/bodies.h"
 
@@ -12,9 +13,10 @@ namespace firma {
 
 /// Puts islands to sleep: bodies that press on each other, all of them still for long enough, none on a part that
 /// moves.
-/// @param movers  of each slot; kFixed of those that did not move in this step
-void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepParts& parts,
-          const StepOptions& options);
+/// @param movers           as the step left them
+/// @param movers_of_slots  kFixed of those that did not move in this step
+void rest(Bodies& bodies, std::span<const Mover> movers, std::span<const std::uint32_t> movers_of_slots, double seconds,
+          const StepParts& parts, const StepOptions& options);
 
 /// Wakes what sleeps on a face that this world does not have any more, or on a part that has changed.
 /// @return how many woke up

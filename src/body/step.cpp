@@ -16,7 +16,6 @@
 #include "body/step_parts.h"
 #include "body/stuck_bodies.h"
 #include "body/sweep_bodies.h"
-#include "body/turn_between.h"
 #include "body/world_contacts.h"
 #include "geometry/rounding.h"
 
@@ -83,7 +82,7 @@ public:
         hold_unsound();
         guard_energy();
         put_back();
-        rest(bodies_, movers_of_slots_, seconds_, parts_, options_);
+        rest(bodies_, movers_, movers_of_slots_, seconds_, parts_, options_);
         ++bodies_.steps;
         return report_;
     }
@@ -265,7 +264,7 @@ private:
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
         BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, sound_, rules);
         sweep.run();
-        for (Mover& mover : movers_) slow_if_wedged(mover, sweep.met_only_level(mover.slot));
+        for (Mover& mover : movers_) slow_if_wedged(mover, sweep.is_wedged(mover.slot));
         sweep.tell(guard_);
         report_.swept = sweep.swept();
         report_.bounces = sweep.bounces();
@@ -291,11 +290,10 @@ private:
     }
 
     /// What bounces to and fro where it has no room comes to rest there, instead of falling on and on in its place.
-    void slow_if_wedged(Mover& mover, bool met_only_level) const {
+    void slow_if_wedged(Mover& mover, bool is_wedged) const {
         constexpr double kNoWay = 1e-5;  // metres, of any point
-        if (!met_only_level) return;
-        const double turn = length(turn_between(mover.start_rotation, mover.rotation));
-        if (length(mover.position - mover.start) + turn * mover.shape->reach > kNoWay) return;
+        if (!is_wedged) return;
+        if (way_of(mover) > kNoWay) return;
         mover.velocity *= 0.5;
         mover.spin *= 0.5;
     }

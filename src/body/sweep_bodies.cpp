@@ -177,7 +177,7 @@ void BodySweep::find_part_touch(std::uint32_t slot) {
 }
 
 /// What one part takes along goes as one.
-/// @param at_start  what overlaps then was passed on to contacts, or meets there
+/// @param at_start  what overlaps then is left to contacts for all of the step, or meets there
 void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start) {
     const Way &one = ways_[slot], &two = ways_[other];
     if (one.carried_by != kNoPart && one.carried_by == two.carried_by) return;
@@ -189,7 +189,15 @@ void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap
                           length(other_motion.turn) * other_shape.reach;
     if (nearer <= kSlowShare * std::min(shape.thinnest, other_shape.thinnest)) return;
     const SetPairHit hit = cast(cores_of(slot, cores_), motion, cores_of(other, other_cores_), other_motion);
-    if (!hit.touched() || (at_start == Overlap::kPassed && hit.status == Status::kInitialOverlap)) return;
+    if (!hit.touched()) return;
+    if (hit.status == Status::kInitialOverlap) {
+        if (at_start == Overlap::kPassed) {
+            overlapping_.emplace_back(slot, other);
+            return;
+        }
+        const bool is_pushed = one.carried_by != kNoPart || two.carried_by != kNoPart;
+        if (!is_pushed && std::binary_search(overlapping_.begin(), overlapping_.end(), std::pair(slot, other))) return;
+    }
     // Whether they come nearer there by more than rounding: along the normal, in the time that is left.
     const auto moved_at = [&](const RigidMotion& of) {
         return of.path + cross(of.turn, hit.point - (of.position + of.path * hit.fraction));
@@ -276,6 +284,12 @@ void BodySweep::carry_on(std::uint32_t slot, double at) {
     find_touches(slot);
 }
 
+void BodySweep::hold_if_stopped(std::uint32_t slot, bool by_level) {
+    Way& way = ways_[slot];
+    const bool stopped = way.carried_by == kNoPart && way.motion.path == Vec3{} && way.motion.turn == Vec3{};
+    way.held = way.held || (stopped && by_level);
+}
+
 /// The level, or a part.
 void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
     Way& way = ways_[it.slot];
@@ -290,7 +304,18 @@ void BodySweep::touch_fixed(const Touching& it, TouchTerms terms) {
     const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
     if (is_between) way.ended = way.crushed = true;
     go_on(it.slot, it.at, !nearer, it.part);
+    hold_if_stopped(it.slot, way.met_level);
     if (!way.ended) find_touches(it.slot);
+}
+
+/// What the level holds gives way no more than it does.
+/// @param normal  away from what is held
+void BodySweep::touch_held(const Touching& it, std::uint32_t slot, const Vec3& normal, const TouchTerms& terms) {
+    ++ways_[slot].met;
+    const bool nearer = respond(mover_at(slot, it.at), nullptr, it.point, normal, terms);
+    go_on(slot, it.at, !nearer, kNoPart);
+    hold_if_stopped(slot, true);
+    find_touches(slot);
 }
 
 /// What a part takes along pushes others as the part does, however heavy they are, and goes on with the part.
@@ -341,11 +366,14 @@ void BodySweep::touch(const Touching& it) {
     const Body& other = bodies_.slots[it.other];
     terms.restitution = std::max(body.restitution, other.restitution);
     terms.friction = std::sqrt(body.friction * other.friction);
+    if (ways_[it.other].held && !ways_[it.slot].held) return touch_held(it, it.slot, it.normal, terms);
+    if (ways_[it.slot].held && !ways_[it.other].held) return touch_held(it, it.other, it.normal * -1.0, terms);
     ++ways_[it.slot].met;
     ++ways_[it.other].met;
     Mover &one = mover_at(it.slot, it.at), &two = mover_at(it.other, it.at);
     const bool nearer = respond(one, &two, it.point, it.normal, terms);
     for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer, kNoPart);
+    for (const std::uint32_t slot : {it.slot, it.other}) hold_if_stopped(slot, ways_[slot].met_level);
     for (const std::uint32_t slot : {it.slot, it.other}) find_touches(slot);
 }
 

@@ -26,8 +26,10 @@ struct SweepRules {
 
 /// Takes each body from where the step began as far along its way as no sphere, less the skin, meets the world, a part
 /// or a sphere of another body, in the order of time. There it bounces, or goes on along the wall, for what is left of
-/// the step. What meets more than max_bounces times stays there until the next step; if a part meets it then, it is
-/// carried along, until it meets something again: then it is crushed, and the part goes over it.
+/// the step. What meets more than max_bounces times stays there until the next step. If it met the level, or a body
+/// that the level holds, others meet it as they would meet the level: what is light between the level and something
+/// heavy hands on what it is pushed with. If a part meets it then, it is carried along, until it meets something again:
+/// then it is crushed, and the part goes over it.
 class BodySweep {
 public:
     /// @param movers           where the step would take them; a sleeper that is met joins them
@@ -43,9 +45,10 @@ public:
     std::size_t woken() const { return woken_; }
     /// Of a slot: a part could not push it away.
     bool is_crushed(std::uint32_t slot) const { return slot < ways_.size() && ways_[slot].crushed; }
-    /// Whether a slot's body met something, and none of it was a part or another body.
-    bool met_only_level(std::uint32_t slot) const {
-        return slot < ways_.size() && ways_[slot].met > 0 && !ways_[slot].met_others;
+    /// Whether a slot's body met nothing but the level, or was held by it.
+    bool is_wedged(std::uint32_t slot) const {
+        if (slot >= ways_.size() || ways_[slot].met == 0) return false;
+        return ways_[slot].held || !ways_[slot].met_others;
     }
 
     /// Who met whom.
@@ -65,6 +68,7 @@ private:
         bool crushed = false;
         bool met_others = false;  ///< parts or bodies
         bool met_level = false;
+        bool held = false;  ///< it stays for the rest of the step, by the level or by what the level holds
     };
     /// A touch that comes as long as both go on as they do now.
     struct Touching {
@@ -96,6 +100,8 @@ private:
     void touch_fixed(const Touching& it, TouchTerms terms);
     void touch_carried(const Touching& it, std::uint32_t carried, std::uint32_t slot, const Vec3& normal,
                        TouchTerms terms);
+    void touch_held(const Touching& it, std::uint32_t slot, const Vec3& normal, const TouchTerms& terms);
+    void hold_if_stopped(std::uint32_t slot, bool by_level);
     void go_on(std::uint32_t slot, double at, bool stops, std::uint32_t part);
     void carry_on(std::uint32_t slot, double at);
     void take_along(std::uint32_t slot, std::uint32_t part, double at);
@@ -114,6 +120,7 @@ private:
     std::priority_queue<Touching> touches_;
     std::vector<Sphere> cores_, other_cores_;  ///< scratch
     std::vector<std::pair<std::uint32_t, std::uint32_t>> met_pairs_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_;  ///< as the step began, in order
     std::size_t swept_ = 0, bounces_ = 0, woken_ = 0;
 };
 

@@ -157,7 +157,7 @@ private:
 
     /// A box that reaches into a piece, and into nothing beside it.
     static Box box_within(const Solid& solid) {
-        const SphereSet balls = piece_spheres(solid, 1);
+        const SphereSet balls = piece_spheres(solid, 1).spheres;
         if (!balls.empty()) {
             const double half = balls[0].radius * 0.5;
             return {balls[0].centre - Vec3{half, half, half}, balls[0].centre + Vec3{half, half, half}};

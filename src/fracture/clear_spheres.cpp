@@ -16,16 +16,18 @@ constexpr double kLeastLeft = 0.25;
 
 }  // namespace
 
-SphereSet clear_spheres(const World& world, const SphereSet& spheres, const Pose& pose, std::uint32_t mask) {
+SphereSet clear_spheres(const World& world, const SphereSet& spheres, const Vec3& centre, const Pose& pose,
+                        std::uint32_t mask) {
     const TurnMatrix turn = matrix_of(pose.rotation);
     NearOptions options;
     options.mask = mask;
     SphereSet clear;
+    if (locate(world.solid(), pose.position + turn * centre) == Where::kSolid) return clear;
     for (Sphere sphere : spheres) {
-        const Vec3 centre = pose.position + turn * sphere.centre;
-        const NearFace near = closest(world, centre, sphere.radius, options);
+        const Vec3 middle = pose.position + turn * sphere.centre;
+        const NearFace near = closest(world, middle, sphere.radius, options);
         if (near && near.distance < sphere.radius * kLeastLeft) continue;
-        if (locate(world.solid(), centre) == Where::kSolid) continue;
+        if (locate(world.solid(), middle) == Where::kSolid) continue;
         if (near) sphere.radius = std::min(sphere.radius, near.distance);
         clear.push_back(sphere);
     }

@@ -10,8 +10,11 @@
 
 namespace firma {
 
-/// What is left of spheres clear of the world: smaller, or fewer.
-/// @param pose  of their frame
-SphereSet clear_spheres(const World& world, const SphereSet& spheres, const Pose& pose, std::uint32_t mask);
+/// What is left of spheres clear of the world: smaller, or fewer. None where the centre of mass is in its solid: the
+/// body is buried then, and would hang in the ground from what sticks out.
+/// @param pose    of their frame
+/// @param centre  of mass, in it
+SphereSet clear_spheres(const World& world, const SphereSet& spheres, const Vec3& centre, const Pose& pose,
+                        std::uint32_t mask);
 
 }  // namespace firma

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "body/rolling.h"
 #include "fracture/piece_of_chunk.h"
 #include "fracture/piece_spheres.h"
 
@@ -49,12 +50,14 @@ public:
 
 private:
     std::optional<BodyId> add_chunk(const Chunk& chunk) {
-        const SphereSet spheres = piece_spheres(chunk.solid, options_.max_spheres);
-        const Result<BodyShape> shape = make_body_shape(spheres, chunk.mass);
+        const SphereFit fit = piece_spheres(chunk.solid, options_.max_spheres);
+        const Result<BodyShape> shape = make_body_shape(fit.spheres, chunk.mass);
         if (!shape) return std::nullopt;
         Pose pose;
         pose.position = chunk.origin;
-        return add_debris(bodies_, debris_, body_at(shape.value(), pose), piece_of_chunk(chunk));
+        Body body = body_at(shape.value(), pose);
+        body.rolling = rolling_of(fit, body.rolling);
+        return add_debris(bodies_, debris_, std::move(body), piece_of_chunk(chunk));
     }
 
     std::vector<Sphere> spheres_of(BodyId id) const {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "body/rolling.h"
 #include "fracture/clear_spheres.h"
 #include "fracture/piece_spheres.h"
 
@@ -36,10 +37,12 @@ std::optional<BodyId> PartPieces::add(Bodies& bodies, Debris& debris, DebrisPiec
     Pose pose = frame;
     pose.position = frame.position + matrix_of(frame.rotation) * piece.origin;
     const std::size_t most = std::clamp<std::size_t>(options_.max_spheres, 1, kMaxSpheres);
-    const SphereSet spheres = clear_spheres(level_, piece_spheres(piece.solid, most), pose, ~0u);
-    const Result<BodyShape> shape = make_body_shape(spheres, mass);
+    SphereFit fit = piece_spheres(piece.solid, most);
+    fit.spheres = clear_spheres(level_, fit.spheres, mass.centre, pose, ~0u);
+    const Result<BodyShape> shape = make_body_shape(fit.spheres, mass);
     if (!shape) return std::nullopt;
     Body body = body_at(shape.value(), pose);
+    body.rolling = rolling_of(fit, body.rolling);
     if (options_.seconds > 0 && is_finite(options_.seconds)) {
         body.velocity = velocity_at(part_.motion, options_.fraction, body.position) * (1 / options_.seconds);
         body.spin = part_.motion.turn * (1 / options_.seconds);

@@ -21,7 +21,7 @@ constexpr double kNearEnough = 1.0 / 20;
 
 }  // namespace
 
-SphereSet piece_spheres(const Solid& solid, std::size_t max_spheres) {
+SphereFit piece_spheres(const Solid& solid, std::size_t max_spheres) {
     const Box box = solid.bounds();
     const Vec3 size = box.high - box.low, middle = (box.low + box.high) * 0.5;
     const double reach = max_abs(size), count = double(max_spheres);
@@ -45,11 +45,12 @@ SphereSet piece_spheres(const Solid& solid, std::size_t max_spheres) {
     choice.add_ball(grown_ball(solid, samples, reach, *std::min_element(balls.begin(), balls.end(), is_larger)));
     for (const Sphere& ball : balls) choice.add_ball(ball);
     const double error = reach * kNearEnough;
-    SphereSet spheres;
-    for (const std::uint32_t ball : choice.choose(max_spheres, error, 2 * error).balls)
-        spheres.push_back(choice.balls()[ball]);
-    sort_range(spheres, is_larger);
-    return spheres;
+    const BallChoice::Chosen chosen = choice.choose(max_spheres, error, 2 * error);
+    SphereFit fit;
+    fit.error = chosen.error;
+    for (const std::uint32_t ball : chosen.balls) fit.spheres.push_back(choice.balls()[ball]);
+    sort_range(fit.spheres, is_larger);
+    return fit;
 }
 
 }  // namespace firma

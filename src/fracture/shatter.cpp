@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "body/rolling.h"
 #include "firma/debris.h"
 #include "fracture/clear_spheres.h"
 #include "fracture/piece_spheres.h"
@@ -93,14 +94,14 @@ MotionOfAll motion_of(const Assembly& all, const Body& body, const Pose& pose, c
 
 Result<Body> body_of_piece(const FracturePiece& piece, const Body& whole, const Pose& pose,
                            const ShatterOptions& options) {
-    SphereSet spheres = piece_spheres(piece.solid, options.max_spheres);
-    if (options.world) spheres = clear_spheres(*options.world, spheres, pose, whole.mask);
-    const Result<BodyShape> shape = make_body_shape(spheres, piece.mass);
+    SphereFit fit = piece_spheres(piece.solid, options.max_spheres);
+    if (options.world) fit.spheres = clear_spheres(*options.world, fit.spheres, piece.mass.centre, pose, whole.mask);
+    const Result<BodyShape> shape = make_body_shape(fit.spheres, piece.mass);
     if (!shape) return shape.error();
     Body body = body_at(shape.value(), pose);
     body.friction = whole.friction;
     body.restitution = whole.restitution;
-    body.rolling = whole.rolling;
+    body.rolling = rolling_of(fit, whole.rolling);
     body.mask = whole.mask;
     body.force = whole.force * (piece.mass.mass / whole.shape.mass());
     return body;

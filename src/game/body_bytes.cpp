@@ -94,6 +94,8 @@ void put_body(ByteWriter& out, const Body& body) {
     put_turn(out, body.rotation);
     for (const Vec3& v : {body.velocity, body.spin, body.force, body.torque}) put_vec(out, v);
     put_numbers(out, {body.friction, body.restitution, body.rolling, body.still_for});
+    put_vec(out, body.still_at);
+    put_turn(out, body.still_turn);
     out.u32(body.mask);
     out.u32(body.island);
     put_flags(out, {body.asleep, body.stuck, body.crushed});
@@ -104,6 +106,8 @@ void take_body(ByteReader& in, Body& body) {
     body.rotation = take_turn(in);
     for (Vec3* v : {&body.velocity, &body.spin, &body.force, &body.torque}) *v = take_vec(in);
     take_numbers(in, {&body.friction, &body.restitution, &body.rolling, &body.still_for});
+    body.still_at = take_vec(in);
+    body.still_turn = take_turn(in);
     body.mask = in.u32();
     body.island = in.u32();
     take_flags(in, {&body.asleep, &body.stuck, &body.crushed});

@@ -156,7 +156,8 @@ private:
         const std::uint32_t version = in.u32();
         if (in.ok() && version != kGameFileVersion) {
             in.fail_at(0, ErrorCode::kUnsupported,
-                       "it is of version " + std::to_string(version) + " of games; this Firma reads version 1");
+                       "it is of version " + std::to_string(version) + " of games; this Firma reads version " +
+                           std::to_string(kGameFileVersion));
             return;
         }
         game_.tick = in.u64();

@@ -96,8 +96,9 @@ std::uint64_t hash_body(const Body& body) {
     Hasher hash;
     hash.add(body.shape.mass());
     hash.add(body.shape.spheres().size());
-    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque}) add_point(hash, v);
-    add_turn(hash, body.rotation);
+    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque, body.still_at})
+        add_point(hash, v);
+    for (const Quaternion& turn : {body.rotation, body.still_turn}) add_turn(hash, turn);
     add_numbers(hash, {body.friction, body.restitution, body.rolling, body.still_for});
     hash.add(body.mask, body.use);
     hash.add(body.island,

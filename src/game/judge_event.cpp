@@ -93,10 +93,11 @@ std::optional<Error> judge_charge(const Charge& charge) {
 }
 
 std::optional<Error> judge_body(const Body& body) {
-    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque})
+    for (const Vec3& v : {body.position, body.velocity, body.spin, body.force, body.torque, body.still_at})
         if (!is_finite(v)) return not_finite("a body");
-    for (const double number : body.rotation)
-        if (!is_finite(number)) return not_finite("a body's rotation");
+    for (const Quaternion& turn : {body.rotation, body.still_turn})
+        for (const double number : turn)
+            if (!is_finite(number)) return not_finite("a body's rotation");
     if (!is_quantity(body.friction) || !is_quantity(body.restitution) || body.restitution > 1 ||
         !is_quantity(body.rolling) || !is_quantity(body.still_for))
         return not_valid("a body's friction, restitution or rolling is out of range");
