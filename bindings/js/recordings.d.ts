@@ -125,6 +125,8 @@ export interface Recordings extends Games {
 
     /** A part's solid, in its frame: to draw after carvePart(). @throws {FirmaError} OUT_OF_RANGE for a part that is not there, and below */
     partWorld(parts: Parts, part: number): World;
+    /** The portals of a level that a part closes where its motion begins, ascending: for a door that is shut, World.setPortalOpen(). */
+    partPortals(parts: Parts, part: number, level: World): number[];
     /**
      * What a part bears, a plain object that the program keeps: matter null, health 0, maxTaken 0.5, damage 0, whole its
      * volume. Give it a health. Costs its faces.

@@ -80,6 +80,18 @@ export function partWorld(core, parts, part) {
     return new World(core, makeHandle(core, 'firma_parts_world', ...partOf(core, parts, part, 'partWorld')));
 }
 
+export function partPortals(core, parts, part, world) {
+    const of = partOf(core, parts, part, 'partPortals');
+    const level = idOf(world, core, 'partPortals', 'world');
+    core.run('firma_parts_portals', ...of, level, 0, 0, core.at.out);
+    const count = core.getU32(core.at.out);
+    return core.borrow((lent) => {
+        const at = lent.take(4 * count);
+        core.run('firma_parts_portals', ...of, level, at, count, core.at.out);
+        return Array.from(core.u32.subarray(at >>> 2, (at >>> 2) + count));
+    });
+}
+
 export function breakable(core, parts, part) {
     const of = partOf(core, parts, part, 'breakable');
     const at = toFill(core, 'breakable');

@@ -2,7 +2,7 @@
 // What `import ... from 'firma/recordings'` gives: the module of games with games as one value, recorded and replayed,
 // and debris, blasts, parts that break, what a path goes through, convex pieces, supports.
 import { blastImpulse, blastShare, exposure, pushBlast } from './blasts.js';
-import { blastFelt, breakable, hurt, partWorld } from './breakables.js';
+import { blastFelt, breakable, hurt, partPortals, partWorld } from './breakables.js';
 import { unpackHandle } from './commands.js';
 import { convexPieces, convexPiecesOfChunk } from './convex.js';
 import { Debris } from './debris.js';
@@ -79,6 +79,10 @@ class Recordings extends Games {
 
     partWorld(parts, part) {
         return partWorld(this.#core, parts, part);
+    }
+
+    partPortals(parts, part, world) {
+        return partPortals(this.#core, parts, part, world);
     }
 
     breakable(parts, part) {

@@ -2,7 +2,7 @@
 // Parts that break: what they bear, broken at once, carved until they do; what is refused.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { throwsCode } from './helpers.js';
+import { throwsCode, twoRooms } from './helpers.js';
 import { boxCutter, boxWorld, holding, makeLowRoom, recordings } from './recording_helpers.js';
 
 const near = (actual, expected, error = 1e-9) =>
@@ -89,6 +89,24 @@ test('a crate breaks into debris', () => {
         throwsCode('BAD_CALL', () => broken({ portals: [-1] }), /portals/);
         throwsCode('BAD_HANDLE', () => debris.breakPart(debris, parts, 1, level), /bodies/);
         assert.deepEqual([bodies.hash(), debris.hash()], before);
+    });
+});
+
+test('a door that breaks opens the portal that it closed', async () => {
+    const rooms = await recordings.worldFromMap(twoRooms);
+    holding((hold) => {
+        const level = hold(hold(rooms).setPortalOpen(0, false));
+        const [parts, bodies, debris] = [hold(recordings.parts()), hold(recordings.bodies()), hold(recordings.debris())];
+        const door = hold(boxWorld([-0.25, 0, 0], [0.25, 4, 4], true));
+        parts.add({ world: door, motion: { position: [4, 0, 0] } });
+        parts.add({ world: door, motion: { position: [2, 0, 0] } });
+        assert.deepEqual([recordings.partPortals(parts, 0, level), recordings.partPortals(parts, 1, level)], [[0], []]);
+        const beside = debris.breakPart(bodies, parts, 1, level);
+        assert.deepEqual([beside.report.opened, hold(beside.world).portal(0).open], [0, false]);
+        const { world, report } = debris.breakPart(bodies, parts, 0, level, { maxPieces: 4 });
+        assert.deepEqual([report.opened, hold(world).portal(0).open, level.portal(0).open], [1, true, false]);
+        throwsCode('OUT_OF_RANGE', () => recordings.partPortals(parts, 2, level), /no part/);
+        throwsCode('BAD_HANDLE', () => recordings.partPortals(parts, 0, parts), /world/);
     });
 });
 

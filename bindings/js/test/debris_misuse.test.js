@@ -89,6 +89,7 @@ test('arguments of every kind', () => {
             blastShare: () => [blast(), next()],
             blastImpulse: () => [blast(), vectorOf(3), next()],
             partWorld: () => [parts, below(parts.count())],
+            partPortals: () => [parts, below(parts.count()), world],
             breakable: () => [parts, below(parts.count())],
             hurt: () => [breakable(), pick([1, ...odd])],
             blastFelt: () => [parts, below(parts.count()), world, blast()],

@@ -493,6 +493,7 @@ debris.explode(bodies, level4, { radius: 4 }, filled.cutter, { position: [0, 0, 
 const blastNumbers: number[] = [recordings.blastShare({}, 2), recordings.exposure(level4, [0, 0, 0], [0, 0, 0, 1], STOPS_SIGHT)];
 const blastPush: number[] = recordings.blastImpulse({ impulse: 5 }, [0, 0, 1], 2);
 const pushedBodies: number = recordings.pushBlast(level4, bodies, {}, { maxSpeed: 3 }).pushed;
+const doorPortals: number[] = recordings.partPortals(parts, 0, level4);
 const bears: Breakable = { ...recordings.breakable(parts, 0), health: 40 };
 const { breakable: hurtCrate, breaks } = recordings.hurt(bears, 40 * recordings.blastFelt(parts, 0, level4, {}, 0.5));
 const brokenPart: BodyId[] = debris.breakPart(bodies, parts, 0, level4, { breakable: hurtCrate, portals: [1], unbroken: breaks }).report.pieces;
@@ -513,4 +514,4 @@ debris.explode(bodies, level4, {});
 debris.explode(bodies, level4, {}, null, undefined, { carve: { fill: true } });
 // @ts-expect-error debris is of recordings
 games.debris();
-export { debrisPiece, debrisSolids, filledWorld, exploded, blastNumbers, blastPush, pushedBodies, brokenPart, cutPart, sceneEvents, spans, convexPieces, support, supportFaces, supportChanges, gameDebris };
+export { doorPortals, debrisPiece, debrisSolids, filledWorld, exploded, blastNumbers, blastPush, pushedBodies, brokenPart, cutPart, sceneEvents, spans, convexPieces, support, supportFaces, supportChanges, gameDebris };
