@@ -97,7 +97,7 @@ test('a door that breaks opens the portal that it closed', async () => {
     holding((hold) => {
         const level = hold(hold(rooms).setPortalOpen(0, false));
         const [parts, bodies, debris] = [hold(recordings.parts()), hold(recordings.bodies()), hold(recordings.debris())];
-        const door = hold(boxWorld([-0.25, 0, 0], [0.25, 4, 4], true));
+        const door = hold(boxWorld([-0.25, -0.25, -0.25], [0.25, 4.25, 4.25], true));
         parts.add({ world: door, motion: { position: [4, 0, 0] } });
         parts.add({ world: door, motion: { position: [2, 0, 0] } });
         assert.deepEqual([recordings.partPortals(parts, 0, level), recordings.partPortals(parts, 1, level)], [[0], []]);
