@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The types of 'firma/recordings': all of 'firma/games', and games as one value: made, stepped, saved, recorded, replayed.
+// The types of 'firma/recordings': all of 'firma/games', and games as one value: made, stepped, saved, recorded, replayed;
+// debris, blasts, parts that break; what a path goes through, convex pieces, what faces hold.
 //
 // Units, errors and costs as index.d.ts says at its top. The same game given the same events goes through the same bits on
 // every machine and in every engine. Memory that runs out within a call stops the module, as everywhere.
@@ -8,12 +9,23 @@ import type {
     BodyId,
     BodyShape,
     BodyState,
+    CarveOptions,
+    CarveReport,
+    Chunks,
     Command,
+    Cutter,
     EditLog,
+    FitOptions,
+    FlyOptions,
+    FlyReport,
+    FullPose,
     Games,
     Handle,
+    Hit,
     LoadOptions,
+    Mass,
     Motion,
+    Numbers,
     Parts,
     Player,
     PlayerLike,
@@ -24,6 +36,7 @@ import type {
     PlayerWish,
     Pose,
     Projectiles,
+    Scene,
     Shape,
     ShotEvent,
     ShotTerms,
@@ -32,6 +45,7 @@ import type {
     StepReport,
     Vector,
     Vector3,
+    Words,
     World,
 } from './games.js';
 
@@ -76,6 +90,88 @@ export interface Recordings extends Games {
     unpackRecording(data: ArrayBuffer | ArrayBufferView, name?: string): Recording;
     /** What bytes begin as; 'other': a world alone, too. Reads the head alone. */
     kindOfBytes(data: ArrayBuffer | ArrayBufferView): 'other' | 'game' | 'recording';
+
+    /** No debris yet: it is kept beside a list of bodies. */
+    debris(): Debris;
+    /** How a matter of a world breaks: bricks, splinters, shards, lumps. @throws {FirmaError} INVALID for a matter that the world does not have */
+    fracturePattern(world: World, matter: number): Required<FracturePattern>;
+    /**
+     * Breaks a world's solid into pieces that fill it exactly: chunks in its frame, their origins 0, their matters not told.
+     * Costs two subtractions a crack.
+     * @throws {FirmaError} INVALID for a world without solid or with rock that reaches to infinity, and for a pattern or
+     *     options out of range; OUT_OF_RANGE at the world's rim
+     */
+    fracture(world: World, pattern: FracturePattern, options?: FractureOptions): Chunks;
+
+    /**
+     * What is left of a blast at a distance: (1 - distance / radius)^2, 0 from the radius on.
+     * @throws {FirmaError} OUT_OF_RANGE for a distance that is not finite, or negative, and for a blast out of range; likewise below
+     */
+    blastShare(blast: Blast, distance: number): number;
+    /**
+     * The push that a blast gives at a point: newton seconds.
+     * @param area square metres that face it, >= 0 @param seen 0..1, the share that is not covered; 1 unless given
+     */
+    blastImpulse(blast: Blast, point: Vector, area: number, seen?: number): Vector3;
+    /**
+     * The share of spheres that is seen from a point, 0..1; 0 of none. Costs five rays a sphere. Closed portals and the fronts
+     * of faces cover.
+     * @param spheres four numbers each: centre, radius, metres @param mask of faces that cover; all unless given
+     * @throws {FirmaError} OUT_OF_RANGE for a number that is not finite, or a radius below 0
+     */
+    exposure(world: World, from: Vector, spheres: Numbers, mask?: number): number;
+    /** Pushes all bodies near a blast, weaker farther away, and by what stands before them. */
+    pushBlast(world: World, bodies: Bodies, blast: Blast, options?: PushOptions): PushReport;
+
+    /** A part's solid, in its frame: to draw after carvePart(). @throws {FirmaError} OUT_OF_RANGE for a part that is not there, and below */
+    partWorld(parts: Parts, part: number): World;
+    /** The portals of a level that a part closes where its motion begins, ascending: for a door that is shut, World.setPortalOpen(). */
+    partPortals(parts: Parts, part: number, level: World): number[];
+    /**
+     * What a part bears, a plain object that the program keeps: matter null, health 0, maxTaken 0.5, damage 0, whole its
+     * volume. Give it a health. Costs its faces.
+     */
+    breakable(parts: Parts, part: number): Breakable;
+    /**
+     * Takes from its health. `breaks`: this used it up: call Debris.breakPart().
+     * @param breakable stays as it is @throws {FirmaError} OUT_OF_RANGE for a damage that is not finite, or negative
+     */
+    hurt(breakable: Breakable, damage: number): { breakable: Breakable; breaks: boolean };
+    /**
+     * The share of a blast that a part feels at its nearest point, 0..1; 0 where the level stands before that.
+     * @param fraction of the part's motion; 0 unless given @throws {FirmaError} OUT_OF_RANGE for a fraction out of 0..1
+     */
+    blastFelt(parts: Parts, part: number, level: World, blast: Blast, fraction?: number): number;
+
+    /**
+     * fly() among parts that go along the scene's stretch of their motions meanwhile. They are met by the velocity that their
+     * surfaces see; what stops at one goes along with it until the step ends. Without parts the answers have the same bits.
+     * @throws {FirmaError} as fly(); OUT_OF_RANGE for a stretch that is none; INVALID for a part that goes faster than 2^60 m/s
+     */
+    flyScene(projectiles: Projectiles, scene: Scene, seconds: number, options?: FlyOptions): SceneFlyReport;
+    /**
+     * All solid that a straight path goes through, and the panes, in the order of the path. In and out alternate, exactly;
+     * what runs along a face is in the air. docs/projectiles.md has the contract. Costs a cast of all that it meets.
+     * @throws {FirmaError} OUT_OF_RANGE for a number that is not finite or too large
+     */
+    pierce(world: World, way: { start: Vector; path: Vector }, options?: PierceOptions): Piercing;
+
+    /**
+     * A world's solid as convex pieces that fill it, for another engine: none crosses another, and their exact volumes add up
+     * to its volume. In an order that is the same everywhere; they need no release. Costs microseconds for a box with a notch,
+     * a second for some hundred reflex edges.
+     * @throws {FirmaError} INVALID for a world without solid or with rock that reaches to infinity, and for options out of
+     *     range; TOO_LARGE where it takes more than maxPieces
+     */
+    convexPieces(world: World, options?: ConvexOptions): ConvexPiece[];
+    /** The same of a chunk, in its frame. @throws {FirmaError} OUT_OF_RANGE for one that is not there */
+    convexPiecesOfChunk(chunks: Chunks, chunk: number, options?: ConvexOptions): ConvexPiece[];
+
+    /**
+     * Which faces hold things: a crate on a bridge, a lamp at a ceiling. Costs the faces near each.
+     * @throws {FirmaError} INVALID, with the thing's number, for one that is not finite or out of range
+     */
+    findSupports(world: World, things: readonly SupportedThing[]): Supports;
 }
 
 export interface GameFacts {
@@ -265,12 +361,8 @@ export interface GameBlast {
 }
 
 /** What happened to a projectile of a game. */
-export interface GameShotEvent extends Omit<ShotEvent, 'lengths'> {
+export interface GameShotEvent extends Omit<SceneShotEvent, 'lengths'> {
     weapon: number;
-    /** That was met: face, material and matter are then of its world. */
-    part: number | null;
-    /** `point` in the part's frame, metres; zero of no part. */
-    inPart: Vector3;
 }
 
 /** What happened in a tick, and by what happened before it since the tick before. */
@@ -368,6 +460,8 @@ export interface Game extends Handle {
     log(): EditLog;
     parts(): Parts;
     bodies(): Bodies;
+    /** Of the bodies that bodies() gives. */
+    debris(): Debris;
     /** Of a body, shared; its spheres, four numbers each, in the frame of its pose. Cost a copy of the bodies, as bodySolid(). @throws {FirmaError} INVALID for one that is not there */
     bodyShape(id: BodyId): BodyShape;
     bodySpheres(id: BodyId): Float64Array;
@@ -434,4 +528,445 @@ export interface Recording extends Handle {
     replay(): Game;
     /** The bytes of a .firmarec file: the same on every machine. */
     pack(): Uint8Array;
+}
+
+// ---- debris
+
+/** What pieces look like. */
+export interface FracturePattern {
+    /** 'lumps': concrete, rock, splinters; 'bricks': rows along z; 'shards': away from the impact, and across: glass. 'lumps' unless given. */
+    style?: 'lumps' | 'bricks' | 'shards';
+    /** Metres, above 0, along the pattern's axes; of shards x is how far apart cracks around the impact are, y how wide a shard is. */
+    sizeOfPiece: Vector;
+    /** By how much of itself a piece is larger a metre from the impact, >= 0; 0 unless given. */
+    growth?: number;
+    /** 0..1: how crooked cracks are; 0 unless given. */
+    crooked?: number;
+    /** x, y, z, w: the pattern's axes in the solid's frame; null or not given: found from its flat sides. */
+    axes?: ArrayLike<number> | null;
+    /** A corner of a brick of an even row, metres; null or not given: the low corner of the solid. */
+    brickCorner?: Vector | null;
+}
+
+export interface FractureOptions {
+    /** 1 to 4,096: cracks end when there are so many; 32 unless given. */
+    maxPieces?: number;
+    /** Number of the material of the faces along cracks; 0 unless given. */
+    material?: number;
+    /** Metres: where pieces are smallest; of a world in its frame, of a body in the world. */
+    impact?: Vector;
+    /** Cubic metres: a piece of less is not divided, and of a body it becomes dust; 0.001 unless given, or 0. */
+    minVolume?: number;
+    /** Kilograms a cubic metre; 2,400 unless given, or 0. */
+    density?: number;
+    /** Of crooked cracks; 1 unless given, or 0. */
+    seed?: number | bigint;
+}
+
+/** A body's own density counts. */
+export interface ShatterOptions extends Omit<FractureOptions, 'density'> {
+    /** Of a piece, 1 to 4,096; 12 unless given. */
+    maxSpheres?: number;
+    /**
+     * The world that it lies in, of the level that it came from: each piece is of the matter of its place there, and its
+     * spheres keep clear of what is solid. Not given: all are of the body's matter.
+     */
+    world?: World;
+}
+
+export interface Shattered {
+    /** The bodies in place of the one that broke; that one itself where nothing divided it. */
+    pieces: BodyId[];
+    /** Pieces too small to be bodies, without room for a sphere, or buried. */
+    dust: number;
+    /** Planes that divided something; that could not be cut. */
+    cracks: number;
+    refused: number;
+    /** Kilograms, newton seconds, newton metre seconds about where the body's centre of mass was. */
+    dustMass: number;
+    dustMomentum: Vector3;
+    dustAngularMomentum: Vector3;
+}
+
+export interface DebrisPiece {
+    /** What it is most of: its number in the world that it came from. */
+    matter: number;
+    /** Where its frame's origin lay there, metres. */
+    origin: Vector3;
+    /** Seconds, since it is a body of its own; asleep. */
+    age: number;
+    asleepFor: number;
+    /** Of its solid. */
+    faceCount: number;
+    /** How often what it was part of broke since it left the world. */
+    broken: number;
+    /** It was to become ground, and could not. */
+    neverGround: boolean;
+    /** It came off a part of the level. */
+    ofPart: boolean;
+}
+
+export interface TendRules extends DebrisRules {
+    /** Spheres that stay clear of what becomes ground, players say: four numbers each, centre and radius, metres. */
+    keepClear?: Numbers;
+}
+
+export interface DebrisReport {
+    /** Bodies that were removed; that became ground, in the order of fill(). */
+    removed: BodyId[];
+    toGround: BodyId[];
+    /** That could not become ground. */
+    refused: number;
+    /** That wait, as a body or a player is in the way, or for another call. */
+    waiting: number;
+}
+
+/**
+ * What bodies are made of, kept beside a list of them: every call is given the same list. A copy of both is a snapshot.
+ * Calls throw INVALID for a body that is not there, or is no debris.
+ */
+export interface Debris extends Handle {
+    /** Others that go the same way from here, with a copy of the bodies. Costs their array; solids are shared. */
+    copy(): Debris;
+    /** Of all that the next calls depend on. Costs all of it. */
+    hash(): bigint;
+    /** A chunk as a body at rest where it came loose, that knows its solid. @throws {FirmaError} as Bodies.addChunk() */
+    addChunk(bodies: Bodies, chunks: Chunks, chunk: number, fit?: FitOptions): BodyId;
+    get(bodies: Bodies, id: BodyId): DebrisPiece;
+    /**
+     * Its solid as a world of one room, in the frame of the body's shape: to draw at Bodies.pose(). Materials have no names
+     * there: their numbers are those of the world that it came from. Costs its faces.
+     */
+    world(bodies: Bodies, id: BodyId): World;
+    /** Takes the body out, too. */
+    remove(bodies: Bodies, id: BodyId): void;
+    /**
+     * Breaks a body: its pieces take its place, and keep its momentum and angular momentum, dust included.
+     * @throws {FirmaError} as fracture(): then all is as it was
+     */
+    shatter(bodies: Bodies, id: BodyId, pattern: FracturePattern, options?: ShatterOptions): Shattered;
+    /**
+     * Lets debris age, and keeps it within rules: once a frame, after Bodies.step(). `world`: after all that became ground, a
+     * handle of its own.
+     * @throws {FirmaError} OUT_OF_RANGE for seconds that are not finite, or negative, and for rules that are not a number, or negative
+     */
+    tend(bodies: Bodies, world: World, seconds: number, rules?: TendRules): { world: World; report: DebrisReport };
+    /**
+     * One of the edits of the last tend(): World.carve() with `fill` and these makes it again, for a log. Release the cutter.
+     * @throws {FirmaError} OUT_OF_RANGE for one that is not there
+     */
+    fill(index: number): { cutter: Cutter; pose: FullPose; material: string };
+    /**
+     * A blast in one call: the crater; what comes loose becomes debris and breaks as its matter does; debris near it that it
+     * sees breaks; then all bodies near it are pushed. Where the crater is refused all else happens. `world` is a handle of its own.
+     * @param crater null: none, and the world stays the same
+     * @param pose of the crater; without one it does not count
+     * @throws {FirmaError} OUT_OF_RANGE for a blast or options out of range; INVALID for `carve` that fills
+     */
+    explode(bodies: Bodies, world: World, blast: Blast, crater: Cutter | null, pose?: Pose, options?: ExplodeOptions): { world: World; report: Explosion };
+    /**
+     * Breaks a part: its pieces become debris where it stands. The part keeps its number, without a face; portals that it
+     * closed are open in `world`, a handle of its own. One without solid breaks into nothing.
+     * @throws {FirmaError} OUT_OF_RANGE for a part that is not there, and for options or a breakable out of range; INVALID for
+     *     a matter that the part's world does not have
+     */
+    breakPart(bodies: Bodies, parts: Parts, part: number, level: World, options?: BreakOptions & { breakable?: Breakable }): { world: World; breakable: Breakable | null; report: BreakReport };
+    /**
+     * Carves a part where it stands. Pieces that nothing holds become bodies; where more than maxTaken was taken, or nothing
+     * holds any of it, the rest goes as by breakPart(). `world` is the level after it, a handle of its own.
+     * @param pose of the cutter, in the world @throws {FirmaError} as breakPart() and World.carve()
+     */
+    carvePart(bodies: Bodies, parts: Parts, part: number, level: World, cutter: Cutter, pose: Pose, options?: PartCutOptions): { world: World; breakable: Breakable | null; report: PartCut };
+}
+
+// ---- blasts
+
+export interface Blast {
+    /** Metres; the origin unless given. */
+    at?: Vector;
+    /** Metres, above 0: nothing is felt from there on; 6 unless given. */
+    radius?: number;
+    /** Newton seconds a square metre that faces it, at `at`; 3,000 unless given. */
+    impulse?: number;
+}
+
+export interface PushOptions {
+    /** Faces that stop a blast; all unless given. */
+    mask?: number;
+    /** Metres a second: a push gives no body more; Infinity is no limit; 30 unless given. */
+    maxSpeed?: number;
+}
+
+export interface PushReport {
+    /** Bodies with a sphere within the radius; of these, those that were not wholly covered. */
+    reached: number;
+    pushed: number;
+}
+
+export interface ExplodeOptions extends PushOptions {
+    /** What broke so often does not break again; 3 unless given. */
+    maxBroken?: number;
+    /** That a body breaks into at most, 1 to 4,096; 12 unless given. */
+    maxPieces?: number;
+    /** Of a piece, and of what comes loose, 1 to 4,096; 12 unless given. */
+    maxSpheres?: number;
+    /** Metres around the blast: what is seen in it breaks; 0: nothing does; 3 unless given. */
+    breakRadius?: number;
+    /** Cubic metres: pieces of less become dust; 0.001 unless given. */
+    minVolume?: number;
+    /** Of cracks; 1 unless given. */
+    seed?: number | bigint;
+    /** Of the crater; `chunks` is true unless given. */
+    carve?: Omit<CarveOptions, 'fill'>;
+}
+
+export interface Explosion extends PushReport {
+    /** Of the crater; its `loose` is null. */
+    carve: CarveReport;
+    /** Bodies of what came loose, and of its pieces. */
+    loose: BodyId[];
+    /** Bodies of debris that broke. */
+    pieces: BodyId[];
+    /** Bodies that broke, of both. */
+    broken: number;
+    /** Chunks that could not be bodies: lost. */
+    unfit: number;
+    /** Pieces too small to be bodies, and their kilograms. */
+    dust: number;
+    dustMass: number;
+}
+
+// ---- parts that break
+
+/** What a part bears, and what is left of that. All of it has to be given. */
+export interface Breakable {
+    /** Of all of it, a number in the part's world; null: that which its textures say. */
+    matter: number | null;
+    /** What is left, by the program's measure; not above 0: nothing hurts it. */
+    health: number;
+    /** Cubic metres of its solid before anything was taken of it. */
+    whole: number;
+    /** 0..1, of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never. */
+    maxTaken: number;
+    /** Of the explosion that it makes, by the program's measure: nothing explodes by itself. */
+    damage: number;
+    broken: boolean;
+}
+
+export interface BreakOptions {
+    /** Of each connected piece, at most, 1 to 4,096; 12 unless given. */
+    maxPieces?: number;
+    /** Of a piece, 1 to 4,096; 12 unless given. */
+    maxSpheres?: number;
+    /** It falls as it is. */
+    unbroken?: boolean;
+    /** In the world, metres: pieces are smallest there. */
+    impact?: Vector;
+    /** Of the part's motion, 0..1, where it breaks; 0 unless given. */
+    fraction?: number;
+    /** That its motion takes: pieces go on as it went; 0, or not given: they begin at rest. */
+    seconds?: number;
+    /** Cubic metres: pieces of less become dust; 0.001 unless given. */
+    minVolume?: number;
+    /** 1 unless given. */
+    seed?: number | bigint;
+    /** Portals that are opened as well as those that it covers: that it closed when it was whole. */
+    portals?: Words;
+}
+
+export interface BreakReport {
+    pieces: BodyId[];
+    /** Pieces of its solid that could be no bodies: lost. */
+    unfit: number;
+    /** Pieces too small to be bodies, and their kilograms. */
+    dust: number;
+    dustMass: number;
+    /** Portals that it closed, and that are open now. */
+    opened: number;
+}
+
+export interface PartCutOptions {
+    /** None: nothing breaks, but pieces fall. */
+    breakable?: Breakable;
+    /** The largest piece is held, by what moves it; else the level's faces hold what touches them. */
+    holdLargest?: boolean;
+    /** Metres within which a face holds; 1/32 unless given. */
+    touch?: number;
+    carve?: Omit<CarveOptions, 'fill'>;
+    pieces?: BreakOptions;
+}
+
+export interface PartCut {
+    status: 'done' | 'nothing' | 'refused';
+    /** Why it was refused; '' when it was not. */
+    reason: string;
+    /** Bodies of what the cut left that nothing holds, unbroken. */
+    loose: BodyId[];
+    /** Such pieces that could be no bodies: lost. */
+    unfit: number;
+    /** Cubic metres that the cutter took. */
+    volume: number;
+    /** Portals that it closed before, and that are open now: it has a hole there, or it broke. */
+    opened: number;
+    /** What was left broke or fell; null where it did not. */
+    rest: BreakReport | null;
+}
+
+// ---- what a path goes through
+
+/** What happened to a projectile among parts. */
+export interface SceneShotEvent extends ShotEvent {
+    /** That was met: face, material and matter are then of its world. */
+    part: number | null;
+    /** `point` in the part's frame, metres; zero of no part. */
+    inPart: Vector3;
+}
+export interface SceneFlyReport extends Omit<FlyReport, 'events'> {
+    events: SceneShotEvent[];
+}
+
+export interface PierceOptions {
+    /** Panes that share a bit are told, and stretches whose face where the path goes in does; all unless given. */
+    mask?: number;
+    /** Panes are met from behind, too. */
+    bothSides?: boolean;
+    /** Whether panes are told; true unless given. */
+    panes?: boolean;
+    /** Whether it is asked what stretches are of; true unless given. */
+    matters?: boolean;
+}
+
+/** Where a path goes into solid, or comes out. */
+export interface PierceEnd {
+    /** Of the path, 0..1. */
+    fraction: number;
+    /** On the path, metres. */
+    point: Vector3;
+    /** Unit, of the face, out of the solid; zero where there is none. */
+    normal: Vector3;
+    /** Null where the path starts or ends in the solid, and of a closed portal. */
+    face: number | null;
+    /** The face's first corner, in steps of 1/262144 m. */
+    corner: Vector3;
+    material: number;
+}
+
+/** A stretch of solid that a path goes through, or a pane, which has no thickness. */
+export interface PierceSpan {
+    /** Of a pane the same. */
+    in: PierceEnd;
+    out: PierceEnd;
+    /** Metres along the path. */
+    thickness: number;
+    /** What is of one matter, by fractions of the path; none of panes, and where matters were not asked for. */
+    lengths: { from: number; to: number; matter: number }[];
+    /** A closed one. */
+    portal: number | null;
+    /** A face that bounds no solid, or a closed portal. */
+    pane: boolean;
+    /** The path starts in this solid; ends in it. */
+    startsInside: boolean;
+    endsInside: boolean;
+}
+
+export interface Piercing {
+    /** As Hit.status: of an initial overlap where the path starts in solid that is told. */
+    status: Hit['status'];
+    /** Metres of solid in all that is told. */
+    thickness: number;
+    /** By the fraction at which they begin. */
+    spans: PierceSpan[];
+}
+
+// ---- convex pieces
+
+export interface ConvexOptions {
+    /** 1 to 16,384; 256 unless given, or 0. */
+    maxPieces?: number;
+    /** Metres. 0, or not given: each piece is convex. Above: what is convex but for less is one piece, of which its hull is given. */
+    maxConcavity?: number;
+    /** Kilograms a cubic metre; 2,400 unless given, or 0. */
+    density?: number;
+}
+
+export interface ConvexFace {
+    /** Unit, outward. */
+    normal: Vector3;
+    /** Metres: normal . p = offset on it. */
+    offset: number;
+    /** Numbers of its corners, three or more, counter-clockwise seen from outside. */
+    corners: number[];
+}
+
+/** Mass and volume are of the piece, not of its hull: they add up to the whole's. */
+export interface ConvexPiece extends Mass {
+    /** The piece is convex, exactly; else corners and faces are those of its hull. */
+    exact: boolean;
+    /** Cubic metres: of the hull of the corners. */
+    hullVolume: number;
+    /** Metres: no point of the hull is farther from the piece; 0 of an exact one. */
+    overhang: number;
+    /** Three numbers each, metres: rounded by at most 3.3 um. */
+    corners: Float64Array;
+    faces: ConvexFace[];
+}
+
+// ---- what faces hold
+
+/** Something that faces may hold: docs/support.md. */
+export interface SupportedThing {
+    /** The program's number for it; its place in the list unless given. */
+    entity?: number;
+    /** 'touches': whatever faces its sides touch; 'stands': it is put down first, then what is below; 'hangs': faces as near as the nearest. 'touches' unless given. */
+    kind?: 'touches' | 'stands' | 'hangs';
+    /** A box, metres. */
+    low: Vector;
+    high: Vector;
+    /** Metres: from a side to what holds it; how far down; how far around; 0 unless given. */
+    reach?: number;
+    /** Faces that share a bit hold; those that stop walkers unless given, or 0. */
+    mask?: number;
+}
+
+export interface Support {
+    entity: number;
+    kind: 'touches' | 'stands' | 'hangs';
+    /** That hold it: faces(). */
+    faceCount: number;
+    /** Square metres that hold it; 0: nothing does. */
+    area: number;
+    /** Metres that it stands below where it was given. */
+    lowered: number;
+}
+
+export interface SupportChange {
+    /** Its number in the supports. */
+    thing: number;
+    entity: number;
+    /** 'kept': as much holds it as before, or more; 'less'; 'lost': nothing holds it any more. */
+    loss: 'kept' | 'less' | 'lost';
+    /** Its middle is in solid now: it was filled in. */
+    buried: boolean;
+    /** How many of the faces that held it went. */
+    lost: number;
+    /** Square metres that hold it. */
+    before: number;
+    after: number;
+}
+
+/** What holds things in a world; it never changes. */
+export interface Supports extends Handle {
+    /** How many things. */
+    count(): number;
+    /** @throws {FirmaError} OUT_OF_RANGE for one that is not there, here and below */
+    get(thing: number): Support;
+    /** The faces that hold it, by id, and the square metres of each. */
+    faces(thing: number): { face: number; area: number }[];
+    /**
+     * The things whose supporting faces were removed or added between the world that these supports are of and another, by
+     * thing; `after`: the supports in that world, a handle of its own.
+     * @param was the world that these are of: with it only what is near the difference is searched
+     * @throws {FirmaError} INVALID where `was` is another world
+     */
+    diff(world: World, was?: World): { changes: SupportChange[]; after: Supports };
 }

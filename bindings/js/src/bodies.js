@@ -48,6 +48,22 @@ export function getBodyId(core, at) {
     return BigInt.asUintN(32, id) === NO_BODY ? null : id;
 }
 
+/** A body's name to where the module finds it: structs of two words go by address. @returns the address */
+export function putBodyId(core, id, place) {
+    if (typeof id !== 'bigint' || BigInt.asUintN(64, id) !== id)
+        throw badCall(place, 'the body must be what add() gave, a BigInt');
+    const at = core.at.out + 8;
+    core.setU64(at, id);
+    return at;
+}
+
+/** How spheres are fitted into a chunk. @returns the address of the struct */
+export function putFit(core, fit, place) {
+    const at = fresh(core, 'fitOptions');
+    putMembers(core, at, FIT_OPTIONS, FIT_KINDS, object(fit, place, 'the fit', FIT_NAMES), place);
+    return at;
+}
+
 export function massOfBall(core, radius, density) {
     const place = 'massOfBall';
     core.run('firma_mass_of_ball', number(radius, place, 'radius'), number(density, place, 'density'), core.at.mass);
@@ -131,18 +147,11 @@ export class Bodies extends Handle {
         const place = 'addChunk';
         const pieces = idOf(chunks, core, place, 'list of chunks');
         word(chunk, place, 'the chunk');
-        const at = fresh(core, 'fitOptions');
-        putMembers(core, at, FIT_OPTIONS, FIT_KINDS, object(fit, place, 'the fit', FIT_NAMES), place);
-        return makeHandle(core, 'firma_bodies_add_chunk', this[ID], pieces, chunk, at);
+        return makeHandle(core, 'firma_bodies_add_chunk', this[ID], pieces, chunk, putFit(core, fit, place));
     }
 
-    /** Where the module finds a body's name: structs of two words go by address. */
     #id(id, place) {
-        if (typeof id !== 'bigint' || BigInt.asUintN(64, id) !== id)
-            throw badCall(place, 'the body must be what add() gave, a BigInt');
-        const at = this[CORE].at.out + 8;
-        this[CORE].setU64(at, id);
-        return at;
+        return putBodyId(this[CORE], id, place);
     }
 
     remove(id) {

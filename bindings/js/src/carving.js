@@ -47,18 +47,16 @@ function readChunks(chunks, place) {
     return { minVolume, density };
 }
 
-/** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
-export function putOrder(core, lent, cutter, pose, options, place) {
-    const id = idOf(cutter, core, place, 'cutter');
+/** @returns the address of the struct */
+export function putCarveOptions(core, lent, options, place) {
     const given = object(options, place, 'the options', OPTION_NAMES);
-    putPose(core, pose, place);
     const fill = flag(given.fill, place, 'fill');
     const material = text(given.material, place, 'material');
     if (given.from !== undefined) vector(given.from, 3, place, 'from');
     const chunks = readChunks(given.chunks, place);
     const edit = given.edit === undefined ? 0 : word(given.edit, place, 'edit');
     const name = material === '' ? 0 : lent.text(material);
-    const { pose: at, carveOptions } = core.at;
+    const { carveOptions } = core.at;
     core.setU32(carveOptions + CARVE_OPTIONS.size, CARVE_OPTIONS.sizeof);
     core.setU32(carveOptions + CARVE_OPTIONS.fill, fill);
     core.setU32(carveOptions + CARVE_OPTIONS.material, name);
@@ -69,11 +67,18 @@ export function putOrder(core, lent, cutter, pose, options, place) {
     core.setU32(carveOptions + CARVE_OPTIONS.edit, edit);
     core.setF64(carveOptions + CARVE_OPTIONS.minChunkVolume, chunks?.minVolume ?? 0);
     core.setF64(carveOptions + CARVE_OPTIONS.density, chunks?.density ?? 0);
-    return [id, at, carveOptions];
+    return carveOptions;
 }
 
-function getReport(core) {
-    const at = core.at.report;
+/** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
+export function putOrder(core, lent, cutter, pose, options, place) {
+    const id = idOf(cutter, core, place, 'cutter');
+    const at = putPose(core, pose, place);
+    return [id, at, putCarveOptions(core, lent, options, place)];
+}
+
+/** @param at  where it is; right after the call that filled it, as the module still says then why it refused */
+export function getReport(core, at = core.at.report) {
     const loose = core.u64[(at + CARVE_REPORT.loose) >>> 3];
     const status = CARVE_STATUS_NAMES[core.getU32(at + CARVE_REPORT.status)];
     const times = {};

@@ -115,17 +115,17 @@ export const SHOT_EVENT_KIND_NAMES = Object.freeze([
 
 /** By the numbers of firma_crack_style. */
 export const CRACK_STYLE_NAMES = Object.freeze([
-    'crack_lumps',
-    'crack_bricks',
-    'crack_shards',
+    'lumps',
+    'bricks',
+    'shards',
 ]);
 
 /** By the numbers of firma_debris_list. */
 export const DEBRIS_LIST_NAMES = Object.freeze([
-    'debris_loose',
-    'debris_pieces',
-    'debris_removed',
-    'debris_to_ground',
+    'loose',
+    'pieces',
+    'removed',
+    'to_ground',
 ]);
 
 /** By the numbers of firma_when_blocked. */
@@ -137,16 +137,16 @@ export const WHEN_BLOCKED_NAMES = Object.freeze([
 
 /** By the numbers of firma_support_kind. */
 export const SUPPORT_KIND_NAMES = Object.freeze([
-    'support_touches',
-    'support_stands',
-    'support_hangs',
+    'touches',
+    'stands',
+    'hangs',
 ]);
 
 /** By the numbers of firma_support_loss. */
 export const SUPPORT_LOSS_NAMES = Object.freeze([
-    'support_kept',
-    'support_less',
-    'support_lost',
+    'kept',
+    'less',
+    'lost',
 ]);
 
 /** By the numbers of firma_edit_kind. */

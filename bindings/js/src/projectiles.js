@@ -230,7 +230,7 @@ export function getEvent(core, at, lengths) {
     };
 }
 
-function getEvents(core, handle) {
+function getEvents(core, handle, get) {
     const at = toFill(core, 'shotView');
     core.run('firma_shot_events_get_view', handle, at);
     const many = (name, { sizeof }, get) => {
@@ -243,13 +243,16 @@ function getEvents(core, handle) {
         to: core.getF64(one + SHOT_LENGTH.to),
         matter: core.getU32(one + SHOT_LENGTH.matter),
     }));
-    return many('events', SHOT_EVENT, (one) => getEvent(core, one, lengths));
+    return many('events', SHOT_EVENT, (one) => get(core, one, lengths));
 }
 
-export function fly(core, projectiles, world, seconds, options) {
-    const place = 'fly';
+/**
+ * @param called  the function of the module
+ * @param where  what it takes after the projectiles: a world's handle, or the address of a scene
+ * @param get  of each event, as getEvent()
+ */
+export function flyIn(core, called, where, projectiles, seconds, options, place, get) {
     const bytes = bytesOf(projectiles, place);
-    const id = idOf(world, core, place, 'world');
     number(seconds, place, 'seconds');
     const given = object(options, place, 'the options', FLY_NAMES);
     const bodies = given.bodies === undefined ? 0n : idOf(given.bodies, core, place, 'list of bodies');
@@ -260,14 +263,19 @@ export function fly(core, projectiles, world, seconds, options) {
         const report = toFill(core, 'flyReport');
         const events = wanted ? makeHandle(core, 'firma_shot_events_create') : 0n;
         try {
-            core.run('firma_fly', at, projectiles.count, id, bodies, seconds, chosen, events, report);
+            core.run(called, at, projectiles.count, where, bodies, seconds, chosen, events, report);
             bytes.set(core.u8.subarray(at, at + bytes.length));
             const counts = ['flying', 'chords', 'impacts'].map((name) => [name, core.getCount(report + FLY_REPORT[name])]);
-            return { ...Object.fromEntries(counts), events: wanted ? getEvents(core, events) : [] };
+            return { ...Object.fromEntries(counts), events: wanted ? getEvents(core, events, get) : [] };
         } finally {
             if (wanted && !core.stopped) core.run('firma_shot_events_release', events);
         }
     });
+}
+
+export function fly(core, projectiles, world, seconds, options) {
+    const id = idOf(world, core, 'fly', 'world');
+    return flyIn(core, 'firma_fly', id, projectiles, seconds, options, 'fly', getEvent);
 }
 
 export function hashProjectiles(core, projectiles) {

@@ -3,12 +3,15 @@
 import { bytes, flag, longWord, mask, number, object, text, vector, word, words } from './arguments.js';
 import { Bodies, BODY_KINDS, BodyShape, COUNTS, STEP_KINDS } from './bodies.js';
 import { putPose } from './carving.js';
+import { Debris } from './debris.js';
+import { getDebrisRules, putDebrisRules } from './debris_rules.js';
 import { badCall } from './errors.js';
+import { getPartEvent } from './fly_scene.js';
 import { CORE, Handle, ID, idOf, makeHandle, takeBytes } from './handle.js';
 import * as layout from './layout.js';
 import { EditLog } from './logs.js';
 import { getMove, getPlayer, PlayerShape, putPlayerAt, RULE_KINDS, SIZE_KINDS, WISH_KINDS } from './players.js';
-import { getEvent, getProjectiles, TERM_KINDS } from './projectiles.js';
+import { getProjectiles, TERM_KINDS } from './projectiles.js';
 import { Parts } from './scenes.js';
 import { getMembers, orNull, putMembers, structTable } from './structs.js';
 import { World } from './world.js';
@@ -59,9 +62,6 @@ const WEAPON_KINDS = {
 };
 const WEAPON_NAMES = [...Object.keys(WEAPON_KINDS), 'name', 'terms', 'bodies', 'charge'];
 const RULES_KINDS = { minChunkVolume: 'number', chunkDensity: 'number', maxBlastSpeed: 'number' };
-const DEBRIS_KINDS = { toGround: 'flag', maxAge: 'number', maxAsleep: 'number', minToGround: 'number', maxOverlap: 'number' };
-const DEBRIS_COUNTS = ['maxBodies', 'maxSpheres', 'maxToGround'];
-const DEBRIS_NAMES = [...Object.keys(DEBRIS_KINDS), ...DEBRIS_COUNTS];
 const RULES_NAMES = [...Object.keys(RULES_KINDS), 'chunks', 'seed', 'bodies', 'debris'];
 const PATH_KINDS = { repeats: 'flag', rotation: 'quaternion', axis: 'vector', spin: 'number' };
 const SWING_KINDS = { reach: 'vector', angle: 'number', period: 'number', phase: 'number' };
@@ -128,23 +128,17 @@ function putRules(core, rules, place) {
     if (given.seed !== undefined) core.setU64(at + GAME_RULES.seed, longWord(given.seed, place, 'seed'));
     const bodies = object(given.bodies, place, 'bodies', Object.keys(STEP_KINDS));
     putMembers(core, at + GAME_RULES.bodies, layout.STEP_OPTIONS, STEP_KINDS, bodies, place);
-    const debris = object(given.debris, place, 'debris', DEBRIS_NAMES);
-    putMembers(core, at + GAME_RULES.debris, layout.DEBRIS_RULES, DEBRIS_KINDS, debris, place);
-    for (const name of DEBRIS_COUNTS)
-        if (debris[name] !== undefined)
-            core.setU64(at + GAME_RULES.debris + layout.DEBRIS_RULES[name], longWord(debris[name], place, name));
+    putDebrisRules(core, at + GAME_RULES.debris, given.debris, place, 'debris');
     return at;
 }
 
 function getRules(core, at) {
-    const debris = at + GAME_RULES.debris;
-    const counts = DEBRIS_COUNTS.map((name) => [name, core.getCount(debris + layout.DEBRIS_RULES[name])]);
     return {
         ...getMembers(core, at, GAME_RULES, RULES_KINDS),
         chunks: core.getU32(at + GAME_RULES.noChunks) === 0,
         seed: core.u64[(at + GAME_RULES.seed) >>> 3],
         bodies: getMembers(core, at + GAME_RULES.bodies, layout.STEP_OPTIONS, STEP_KINDS),
-        debris: { ...getMembers(core, debris, layout.DEBRIS_RULES, DEBRIS_KINDS), ...Object.fromEntries(counts) },
+        debris: getDebrisRules(core, at + GAME_RULES.debris),
     };
 }
 
@@ -371,6 +365,10 @@ export class Game extends Handle {
         return new Bodies(this[CORE], this.#make('firma_game_bodies'));
     }
 
+    debris() {
+        return new Debris(this[CORE], this.#make('firma_game_debris'));
+    }
+
     /** work(address of the body's name, handle of a snapshot of the bodies). */
     #ofBody(id, place, work) {
         if (typeof id !== 'bigint' || BigInt.asUintN(64, id) !== id)
@@ -413,12 +411,11 @@ export class Game extends Handle {
     bodySolid(id) {
         const core = this[CORE];
         return this.#ofBody(id, 'bodySolid', (at, bodies) => {
-            core.run('firma_game_debris', this[ID], core.at.out);
-            const debris = core.u64[core.at.out >>> 3];
+            const debris = this.debris();
             try {
-                return new World(core, makeHandle(core, 'firma_debris_world', debris, bodies, at));
+                return new World(core, makeHandle(core, 'firma_debris_world', debris[ID], bodies, at));
             } finally {
-                if (!core.stopped) core.run('firma_debris_release', debris);
+                debris.release();
             }
         });
     }
@@ -535,10 +532,8 @@ export class Game extends Handle {
             core.run('firma_game_shot_events', this[ID], at, weapons, count, core.at.out);
             return Array.from({ length: count }, (_, k) => {
                 const one = at + k * layout.SHOT_EVENT.sizeof;
-                const { lengths, ...event } = getEvent(core, one, []);
-                const part = orNull(core.getU32(one + layout.SHOT_EVENT.part));
-                const inPart = core.getVector(one + layout.SHOT_EVENT.inPart);
-                return { weapon: core.getU32(weapons + 4 * k), ...event, part, inPart };
+                const { lengths, ...event } = getPartEvent(core, one, []);
+                return { weapon: core.getU32(weapons + 4 * k), ...event };
             });
         });
     }

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What `import ... from 'firma/recordings'` gives: the module of games with games as one value, recorded and replayed.
+// What `import ... from 'firma/recordings'` gives: the module of games with games as one value, recorded and replayed,
+// and debris, blasts, parts that break, what a path goes through, convex pieces, supports.
+import { blastImpulse, blastShare, exposure, pushBlast } from './blasts.js';
+import { blastFelt, breakable, hurt, partPortals, partWorld } from './breakables.js';
 import { unpackHandle } from './commands.js';
+import { convexPieces, convexPiecesOfChunk } from './convex.js';
+import { Debris } from './debris.js';
+import { flyScene } from './fly_scene.js';
+import { fracture, fracturePattern } from './fracture.js';
 import { Games } from './games_library.js';
 import { kindOf, loadLibrary } from './load_library.js';
+import { pierce } from './pierce.js';
 import { Game, kindOfBytes, Recording } from './recorded_games.js';
+import { Supports } from './supports.js';
 
 export { Projectiles } from './projectiles.js';
 export * from './common.js';
@@ -34,6 +43,82 @@ class Recordings extends Games {
 
     kindOfBytes(data) {
         return kindOfBytes(this.#core, data);
+    }
+
+    // ---- debris and blasts
+
+    debris() {
+        return Debris.create(this.#core);
+    }
+
+    fracturePattern(world, matter) {
+        return fracturePattern(this.#core, world, matter);
+    }
+
+    fracture(world, pattern, options) {
+        return fracture(this.#core, world, pattern, options);
+    }
+
+    blastShare(blast, distance) {
+        return blastShare(this.#core, blast, distance);
+    }
+
+    blastImpulse(blast, point, area, seen) {
+        return blastImpulse(this.#core, blast, point, area, seen);
+    }
+
+    exposure(world, from, spheres, mask) {
+        return exposure(this.#core, world, from, spheres, mask);
+    }
+
+    pushBlast(world, bodies, blast, options) {
+        return pushBlast(this.#core, world, bodies, blast, options);
+    }
+
+    // ---- parts that break
+
+    partWorld(parts, part) {
+        return partWorld(this.#core, parts, part);
+    }
+
+    partPortals(parts, part, world) {
+        return partPortals(this.#core, parts, part, world);
+    }
+
+    breakable(parts, part) {
+        return breakable(this.#core, parts, part);
+    }
+
+    hurt(breakable, damage) {
+        return hurt(this.#core, breakable, damage);
+    }
+
+    blastFelt(parts, part, world, blast, fraction) {
+        return blastFelt(this.#core, parts, part, world, blast, fraction);
+    }
+
+    // ---- what a path goes through
+
+    flyScene(projectiles, scene, seconds, options) {
+        return flyScene(this.#core, projectiles, scene, seconds, options);
+    }
+
+    pierce(world, way, options) {
+        return pierce(this.#core, world, way, options);
+    }
+
+    // ---- convex pieces, what faces hold
+
+    convexPieces(world, options) {
+        return convexPieces(this.#core, world, options);
+    }
+
+    convexPiecesOfChunk(chunks, chunk, options) {
+        return convexPiecesOfChunk(this.#core, chunks, chunk, options);
+    }
+
+    findSupports(world, things) {
+        return Supports.find(this.#core, world, things);
     }
 }
 

@@ -40,7 +40,8 @@ test('programs with what they print beside them', () => {
     for (const [page, count] of [
         ['bindings/js/README.md', 2],
         ['docs/moving.md', 1],
-        ['docs/projectiles.md', 1],
+        ['docs/projectiles.md', 2],
+        ['docs/support.md', 1],
     ]) {
         const all = programsOf(page).filter(({ output }) => output !== undefined);
         assert.equal(all.length, count, page);
@@ -48,10 +49,14 @@ test('programs with what they print beside them', () => {
     }
 });
 
-test('bodies and players as in C++', () => {
+test('bodies, players, debris and convex pieces as in C++', () => {
     const [{ program: bodies }] = programsOf('docs/bodies.md');
     const native = shownIn('docs/bodies.md', '70638 kg').replace(' as 40 spheres', '').replace('yes', 'true');
     assert.equal(run(bodies), native);
     const [{ program: players }] = programsOf('docs/players.md');
     assert.equal(run(players), shownIn('docs/players.md', 'at 30.00 22.00'));
+    const [{ program: debris }] = programsOf('docs/debris.md');
+    assert.equal(run(debris), shownIn('docs/debris.md', 'a blast in the open'));
+    const [{ program: convex }] = programsOf('docs/convex.md');
+    assert.equal(run(convex), shownIn('docs/convex.md', '29.433 m3 came loose'));
 });

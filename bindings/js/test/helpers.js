@@ -50,6 +50,14 @@ export function brush(low, high, texture, lowX = texture) {
     return `{\n${sides.map((side) => `${side.join(' ')} 0 0 0 1 1\n`).join('')}}\n`;
 }
 
+/** Two rooms of 4 m along x within walls of half a metre, a portal between them at x = 4. */
+export const twoRooms =
+    `{\n"classname" "worldspawn"\n${brush([-16, -16, -16], [0, 144, 144], 'wall')}${brush([256, -16, -16], [272, 144, 144], 'wall')}` +
+    `${brush([0, -16, -16], [256, 0, 144], 'wall')}${brush([0, 128, -16], [256, 144, 144], 'wall')}` +
+    `${brush([0, 0, -16], [256, 128, 0], 'floor')}${brush([0, 0, 128], [256, 128, 144], 'roof')}}\n` +
+    `{\n"classname" "func_areaportal"\n"targetname" "gate"\n${brush([128, -8, -8], [130, 136, 136], 'skip', 'portal')}}\n` +
+    '{\n"classname" "firma_room"\n"name" "größe"\n"origin" "32 64 64"\n}\n';
+
 /** Asserts that it throws a FirmaError of a code, and that its message is of the pattern. */
 export function throwsCode(code, work, message = /./) {
     assert.throws(work, (error) => {

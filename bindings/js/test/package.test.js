@@ -82,11 +82,13 @@ test('types name what there is, and nothing else', () => {
         Bodies: games.bodies(),
         Parts: games.parts(),
         Recordings: recordings,
+        Debris: recordings.debris(),
     };
     const level = makeRoom(recordings);
     objects.Game = recordings.game(level);
     objects.Game.record();
     objects.Recording = objects.Game.recording();
+    objects.Supports = recordings.findSupports(level, []);
     level.release();
     objects.Replay = objects.EditLog.replay(world);
     objects.Job = world.startCarve(cutter, { position: [0, 0, 0] });

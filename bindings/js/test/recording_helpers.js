@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of recordings share: the module, and a small game.
+// What the tests of recordings share: the module, worlds as the C tests have them, and a small game.
 import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { loadRecordings } from '../src/recordings.js';
@@ -23,10 +23,24 @@ export function holding(work) {
 }
 
 /** The box from one corner to the other, its fronts outward or inward. */
-function boxWorld(low, high, outward) {
+export function boxWorld(low, high, outward) {
     const mesh = boxMesh(low, high);
     return recordings.worldFromMesh(outward ? { ...mesh, corners: mesh.corners.reverse() } : mesh);
 }
+
+/** A cutter: the box from one corner to the other. */
+export const boxCutter = (low, high) => holding((hold) => recordings.cutterFromWorld(hold(boxWorld(low, high, true))));
+
+/** A room of 8 x 8 x 4 m in rock, its corner at the origin: face 0 is the floor, 1 the ceiling. @param more  of the mesh */
+export const makeLowRoom = (more = {}) =>
+    recordings.worldFromMesh({
+        positions: [0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0, 0, 0, 4, 8, 0, 4, 8, 8, 4, 0, 8, 4],
+        corners: [0, 1, 2, 3, 4, 7, 6, 5, 0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3, 3, 7, 4, 0],
+        cornerCounts: [4, 4, 4, 4, 4, 4],
+        materials: [0, 1, 2, 2, 2, 2],
+        materialNames: ['floor', 'ceiling', 'wall'],
+        ...more,
+    });
 
 /** A room of 8 m in rock, with a column that hangs from its ceiling. */
 export function makeHungRoom() {

@@ -96,6 +96,8 @@ test('what happens is in the report, and what is there can be asked', () => {
         assert.deepEqual(Array.from(game.bodySpheres(BALL)), [0, 0, 0, 0.25]);
         const solid = hold(game.bodySolid(blast.loose[0]));
         assert.ok(solid.facts().faceCount >= 4);
+        const debris = hold(game.debris());
+        assert.equal(debris.get(bodies, blast.loose[0]).faceCount, solid.facts().faceCount);
         throwsCode('INVALID', () => game.bodySolid(BALL), /no debris/);
         throwsCode('INVALID', () => game.bodySpheres(77n), /no such body/);
         throwsCode('BAD_CALL', () => game.bodySpheres(7), /BigInt/);

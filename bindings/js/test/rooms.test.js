@@ -4,17 +4,10 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { HitBatch, NO_PORTAL } from '../src/index.js';
-import { brush as box, firma, levelBytes, readers, releasing, throwsCode } from './helpers.js';
+import { brush as box, firma, levelBytes, readers, releasing, throwsCode, twoRooms } from './helpers.js';
 
 const depot = readFileSync(new URL('../../../levels/depot.map', import.meta.url));
 
-/** Two rooms of 4 m along x within walls of half a metre, a portal between them at x = 4. */
-const twoRooms =
-    `{\n"classname" "worldspawn"\n${box([-16, -16, -16], [0, 144, 144], 'wall')}${box([256, -16, -16], [272, 144, 144], 'wall')}` +
-    `${box([0, -16, -16], [256, 0, 144], 'wall')}${box([0, 128, -16], [256, 144, 144], 'wall')}` +
-    `${box([0, 0, -16], [256, 128, 0], 'floor')}${box([0, 0, 128], [256, 128, 144], 'roof')}}\n` +
-    `{\n"classname" "func_areaportal"\n"targetname" "gate"\n${box([128, -8, -8], [130, 136, 136], 'skip', 'portal')}}\n` +
-    '{\n"classname" "firma_room"\n"name" "größe"\n"origin" "32 64 64"\n}\n';
 const withRooms = (work) => releasing([readers.worldFromMap(twoRooms, { name: 'two.map' })], work);
 const roomAt = (world, x) => world.locate([x, 2, 2]).room;
 

@@ -78,13 +78,25 @@ import {
 } from 'firma/games';
 import {
     loadRecordings,
+    type Breakable,
+    type ConvexPiece,
+    type Debris,
+    type DebrisPiece,
+    type Explosion,
+    type FracturePattern,
     type Game,
     type GameBlast,
     type GameEvent,
     type GameReport,
+    type PierceSpan,
     type Recording,
     type Recordings,
     type ReplayState,
+    type SceneShotEvent,
+    type Shattered,
+    type Support,
+    type SupportChange,
+    type Supports,
     type Weapon,
 } from 'firma/recordings';
 
@@ -462,3 +474,44 @@ game.addBody(ballShape, { position: [0, 0, 0] }, { position: [1, 0, 0] });
 // @ts-expect-error nothing recorded is of games
 games.game(level4);
 export { alsoGames, status, started, tall, eye, flying, gameBlast, shotBy, shotAt, solids, spheres, gameHash, parted, tapedEvent, replayState, kindOf, made };
+
+// ---- debris, blasts, parts that break, paths, convex pieces, supports
+
+const debris: Debris = recordings.debris();
+const broken: Chunks = recordings.fracture(level4, { sizeOfPiece: [1, 1, 1] }, { maxPieces: 4, impact: [0, 0, 0], density: 1000, seed: 2n });
+const chunkBody: BodyId = debris.addChunk(bodies, broken, 0, { maxSpheres: 8 });
+const crackPattern: FracturePattern = recordings.fracturePattern(level4, 0);
+const shattered: Shattered = debris.shatter(bodies, chunkBody, { ...crackPattern, style: 'bricks', axes: null }, { world: level4, maxSpheres: 4 });
+const debrisPiece: DebrisPiece = debris.get(bodies, shattered.pieces[0]!);
+const debrisSolids: World[] = [debris.world(bodies, chunkBody), recordings.partWorld(parts, 0)];
+debris.remove(bodies, chunkBody);
+const tended = debris.tend(bodies, level4, 1 / 60, { toGround: true, keepClear: [0, 0, 0, 1] });
+const filled = debris.fill(0);
+const filledWorld: World = tended.world.carve(filled.cutter, filled.pose, { fill: true, material: filled.material }).world;
+const exploded: { world: World; report: Explosion } = debris.explode(bodies, level4, { at: [0, 0, 0] }, null);
+debris.explode(bodies, level4, { radius: 4 }, filled.cutter, { position: [0, 0, 0] }, { breakRadius: 2, mask: 1, maxSpeed: Infinity, carve: { material: 'soot' } });
+const blastNumbers: number[] = [recordings.blastShare({}, 2), recordings.exposure(level4, [0, 0, 0], [0, 0, 0, 1], STOPS_SIGHT)];
+const blastPush: number[] = recordings.blastImpulse({ impulse: 5 }, [0, 0, 1], 2);
+const pushedBodies: number = recordings.pushBlast(level4, bodies, {}, { maxSpeed: 3 }).pushed;
+const doorPortals: number[] = recordings.partPortals(parts, 0, level4);
+const bears: Breakable = { ...recordings.breakable(parts, 0), health: 40 };
+const { breakable: hurtCrate, breaks } = recordings.hurt(bears, 40 * recordings.blastFelt(parts, 0, level4, {}, 0.5));
+const brokenPart: BodyId[] = debris.breakPart(bodies, parts, 0, level4, { breakable: hurtCrate, portals: [1], unbroken: breaks }).report.pieces;
+const cutPart: BodyId[] | undefined = debris.carvePart(bodies, parts, 0, level4, filled.cutter, filled.pose, { holdLargest: true, pieces: { seed: 3 } }).report.rest?.pieces;
+const sceneEvents: SceneShotEvent[] = recordings.flyScene(shots, { world: level4, parts, to: 0.5 }, 1 / 60, { bodies }).events;
+const spans: PierceSpan[] = recordings.pierce(level4, { start: [0, 0, 0], path: [1, 0, 0] }, { panes: false, matters: true }).spans;
+const convexPieces: ConvexPiece[] = [...recordings.convexPieces(level4, { maxConcavity: 0.1 }), ...recordings.convexPiecesOfChunk(broken, 0)];
+const supports: Supports = recordings.findSupports(level4, [{ kind: 'hangs', low: [0, 0, 0], high: [1, 1, 1], reach: 1 }]);
+const support: Support = supports.get(0);
+const supportFaces: { face: number; area: number }[] = supports.faces(0);
+const supportChanges: SupportChange[] = supports.diff(level4, level4).changes;
+const gameDebris: bigint = game.debris().copy().hash();
+// @ts-expect-error a breakable has to be whole
+recordings.hurt({ health: 3 }, 1);
+// @ts-expect-error a crater or null
+debris.explode(bodies, level4, {});
+// @ts-expect-error no fill
+debris.explode(bodies, level4, {}, null, undefined, { carve: { fill: true } });
+// @ts-expect-error debris is of recordings
+games.debris();
+export { doorPortals, debrisPiece, debrisSolids, filledWorld, exploded, blastNumbers, blastPush, pushedBodies, brokenPart, cutPart, sceneEvents, spans, convexPieces, support, supportFaces, supportChanges, gameDebris };

@@ -64,7 +64,7 @@ function write() {
     lines.push('');
     for (const [name, entries] of readEnumerations(header)) {
         const short = constant(name.slice('firma_'.length));
-        const start = { firma_code: 'FIRMA_ERROR_', firma_carve_status: 'FIRMA_CARVE_', firma_edit_kind: 'FIRMA_EDIT_', firma_fracture: 'FIRMA_FRACTURE_', firma_mover_kind: 'FIRMA_MOVER_', firma_cast_order: 'FIRMA_ORDER_', firma_contact_kind: 'FIRMA_CONTACT_', firma_projectile_state: 'FIRMA_PROJECTILE_', firma_shot_event_kind: 'FIRMA_SHOT_', firma_game_item: 'FIRMA_ITEM_', firma_bytes_kind: 'FIRMA_BYTES_', firma_game_event_kind: 'FIRMA_EVENT_' }[name] ?? 'FIRMA_';
+        const start = { firma_code: 'FIRMA_ERROR_', firma_carve_status: 'FIRMA_CARVE_', firma_edit_kind: 'FIRMA_EDIT_', firma_fracture: 'FIRMA_FRACTURE_', firma_mover_kind: 'FIRMA_MOVER_', firma_cast_order: 'FIRMA_ORDER_', firma_contact_kind: 'FIRMA_CONTACT_', firma_projectile_state: 'FIRMA_PROJECTILE_', firma_shot_event_kind: 'FIRMA_SHOT_', firma_crack_style: 'FIRMA_CRACK_', firma_debris_list: 'FIRMA_DEBRIS_', firma_support_kind: 'FIRMA_SUPPORT_', firma_support_loss: 'FIRMA_SUPPORT_', firma_game_item: 'FIRMA_ITEM_', firma_bytes_kind: 'FIRMA_BYTES_', firma_game_event_kind: 'FIRMA_EVENT_' }[name] ?? 'FIRMA_';
         lines.push(`/** By the numbers of ${name}. */`, `export const ${short}_NAMES = Object.freeze([`);
         entries.forEach(([entry, value], k) => {
             if (value !== k) throw new Error(`${name}: ${entry} is not ${k}`);
