@@ -8,6 +8,7 @@
 #include "body/choose_balls.h"
 #include "body/cover_error.h"
 #include "body/inner_ball.h"
+#include "body/longest_axis.h"
 #include "body/point_order.h"
 #include "body/surface_points.h"
 #include "firma/sphere_set.h"
@@ -130,11 +131,6 @@ struct Fitter {
         return least;
     }
 };
-
-int longest_axis(const Vec3& size) {
-    const int axis = size.y > size.x ? 1 : 0;
-    return size.z > size[axis] ? 2 : axis;
-}
 
 std::optional<Error> fault_of(const Solid& solid, const FitOptions& options) {
     const auto invalid = [](std::string reason) { return Error{ErrorCode::kInvalid, {}, std::move(reason)}; };

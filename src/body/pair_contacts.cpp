@@ -6,14 +6,14 @@
 #include <tuple>
 
 #include "base/sort.h"
+#include "body/longest_axis.h"
 
 namespace firma {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::vector<BodyBall> balls) {
     Box box;
     for (const BodyBall& ball : balls) box.add(ball.centre);
-    const Vec3 size = box.empty() ? Vec3{} : box.high - box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = box.empty() ? 0 : longest_axis(box.high - box.low);
     const auto low = [&](const BodyBall& ball) { return ball.centre[axis] - ball.reach; };
     sort_range(balls, [&](const BodyBall& a, const BodyBall& b) {
         return low(a) != low(b) ? low(a) < low(b) : a.slot < b.slot;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "body/longest_axis.h"
 
 namespace firma {
 namespace {
@@ -50,10 +51,6 @@ Vec3 in_sizes(const CrackField& field, const CrackCell& cell) {
     return ratio;
 }
 
-int longest(const Vec3& ratio) {
-    return ratio.x >= ratio.y && ratio.x >= ratio.z ? 0 : ratio.y >= ratio.z ? 1 : 2;
-}
-
 Vec3 middle_of(const CrackCell& cell) {
     return (cell.low + cell.high) * 0.5;
 }
@@ -61,7 +58,7 @@ Vec3 middle_of(const CrackCell& cell) {
 /// Across the longest way through the piece, where lengths are counted in sizes of a piece: so what is to be long
 /// splits along its length, and its ends slant.
 std::optional<CrackChoice> crack_of_lump(const CrackField& field, const CrackCell& cell, Random& random) {
-    const int along = longest(in_sizes(field, cell));
+    const int along = longest_axis(in_sizes(field, cell));
     const double crooked = field.pattern.crooked;
     CrackChoice crack;
     crack.point = middle_of(cell);
@@ -95,7 +92,7 @@ std::optional<CrackChoice> crack_of_bricks(const CrackField& field, const CrackC
     Vec3 ratio = in_sizes(field, cell);
     if (ratio.z > 1 && ratio.x > 1) ratio.x = std::max(ratio.x / kThroughRows, 1.001);
     for (int tried = 0; tried < 3; ++tried) {
-        const int along = longest(ratio);
+        const int along = longest_axis(ratio);
         if (ratio[along] <= 1) break;
         if (const std::optional<double> line = brick_line(field, cell, along)) {
             CrackChoice crack;
@@ -221,7 +218,7 @@ double excess_of(const CrackField& field, const CrackCell& cell) {
         return std::max(shape.rings, shape.spokes);
     }
     const Vec3 ratio = in_sizes(field, cell);
-    return ratio[longest(ratio)];
+    return ratio[longest_axis(ratio)];
 }
 
 std::optional<CrackChoice> choose_crack(const CrackField& field, const CrackCell& cell, std::uint64_t seed) {

@@ -139,6 +139,22 @@ TEST(Shatter, PiecesAreOfTheMatterWhereTheyWere) {
     EXPECT_GT(mixed, 0u);
 }
 
+TEST(Shatter, WhatIsBuriedIsDust) {
+    const test::Rubble rubble = test::rubble_of(test::depot_world(), 1, 0.1);
+    const World ground = test::ground();
+    Thrown scene;
+    const BodyId id = add_debris(scene.bodies, scene.debris, rubble.chunks[0]).value();
+    scene.bodies.find(id)->position = {0, 0, 0};
+    const double mass = scene.bodies.find(id)->shape.mass();
+    ShatterOptions options;
+    options.world = &ground;
+    const Shattered pieces = shatter(scene.bodies, scene.debris, id, {.size = {0.2, 0.2, 0.2}}, options).value();
+    ASSERT_GT(pieces.pieces.size(), 3u);
+    for (const BodyId piece : pieces.pieces) EXPECT_GT(scene.bodies.find(piece)->position.z, 0);
+    EXPECT_GT(pieces.dust_mass, 0.2 * mass);
+    EXPECT_LT(pieces.dust_mass, 0.8 * mass);
+}
+
 TEST(Shatter, KeepsThemWhereDensityIsUneven) {
     const test::Rubble rubble = test::rubble_of(test::depot_world(), 1, 0.1);
     Chunk chunk = rubble.chunks[0];
