@@ -66,8 +66,9 @@ struct ShatterOptions {
         12;  ///< of a piece, 1 to kMaxSpheres: found in less time than by fit_spheres(), less near
     /// The world that it lies in, of the level that it came from. Each piece is of the matter that the place was of
     /// where its centre was before it came loose, and as dense as that, in proportion. Spheres keep clear of what is
-    /// solid: a body that rests lies a little in the ground, where it has no spheres, and so do its pieces. Null: all
-    /// are of the body's matter, and as dense, and their spheres may be in the ground.
+    /// solid: a body that rests lies a little in the ground, where it has no spheres, and so do its pieces. One whose
+    /// centre of mass is in solid is buried, and becomes dust. Null: all are of the body's matter, and as dense, and
+    /// their spheres may be in the ground.
     const World* world = nullptr;
     /// The part's own world, of one that came off a part: says what its pieces are of, in place of `world`.
     const World* part = nullptr;
@@ -87,13 +88,14 @@ struct Shattered {
 /// Breaks a body: its pieces take its place, each where it was, as it moved there.
 ///
 /// The pieces' masses are by their exact volumes (and the densities of ShatterOptions::world), and come to the body's.
-/// They move as one rigid body that has its
-/// momentum and its angular momentum: so both are kept, to rounding, dust included. Where
-/// their masses are where the body's mass was, that is its own velocity and spin. Friction and what else the body says
-/// of itself is theirs too, its force by mass; its torque goes.
+/// They move as one rigid body that has its momentum and its angular momentum: so both are kept, to rounding, dust
+/// included. Where their masses are where the body's mass was, that is its own velocity and spin. Friction and what
+/// else the body says of itself is theirs too, its force by mass; its torque goes. They resist rolling more where their
+/// spheres leave much of them out.
 ///
 /// @return kInvalid for a body that is not there or is no debris, and for max_spheres out of range; the errors of
-/// fracture(): then all is as it was Costs fracture(), and some hundred searches for the nearest facet a piece.
+/// fracture(): then all is as it was
+/// Costs fracture(), and some hundred searches for the nearest facet a piece.
 [[nodiscard]] FIRMA_EXPORT Result<Shattered> shatter(Bodies& bodies, Debris& debris, BodyId id,
                                                      const FracturePattern& pattern,
                                                      const ShatterOptions& options = {});
