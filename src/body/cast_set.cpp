@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A moving set of spheres against a world.
-#include "firma/cast_set.h"
+#include "body/cast_spheres.h"
 
 #include <cmath>
 
@@ -77,16 +77,30 @@ SetHit invalid_set_hit() {
     return hit;
 }
 
+bool are_usable(std::span<const Sphere> spheres, const RigidMotion& motion) {
+    if (!is_usable(motion)) return false;
+    for (const Sphere& sphere : spheres)
+        if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !is_finite(sphere.radius)) return false;
+    return true;
+}
+
 }  // namespace
 
 SetHit cast(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
             const CastOptions& options) {
-    if (!is_usable(motion)) return invalid_set_hit();
-    for (const Sphere& sphere : spheres)
-        if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !is_finite(sphere.radius)) return invalid_set_hit();
+    if (!are_usable(spheres, motion)) return invalid_set_hit();
+    if (!spheres.empty() && comes_near(world, spheres, motion, options))
+        return cast_spheres(world, spheres, motion, options);
+    SetHit missed;
+    missed.centre = motion.position + motion.path;
+    return missed;
+}
+
+SetHit cast_spheres(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
+                    const CastOptions& options) {
+    if (!are_usable(spheres, motion)) return invalid_set_hit();
     SetHit first;
     first.centre = motion.position + motion.path;
-    if (spheres.empty() || !comes_near(world, spheres, motion, options)) return first;
     const TurnMatrix rotation = matrix_of(normalised(motion.rotation));
     const TurnRate rate(motion.turn);
     CastOptions each = options;

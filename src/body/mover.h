@@ -34,6 +34,9 @@ struct Mover {
     double clear = 0;
     /// Metres: the same of parts, by how far both go together.
     double part_clear = 0;
+    /// Metres: as far as any point may go and meet no other planes of the level than those noted of it, from the front.
+    double known = 0;
+    std::uint32_t first_plane = 0, planes = 0;  ///< of those noted, by sphere
 
     Vec3 centre_of(std::uint32_t sphere) const { return position + matrix * shape->spheres[sphere].centre; }
     Vec3 velocity_at(const Vec3& from_centre) const { return velocity + cross(spin, from_centre); }
@@ -78,6 +81,13 @@ void put_back_mover(const Mover& mover, Body& body);
 
 /// No mover: the world, or a body that sleeps.
 inline constexpr std::uint32_t kFixed = ~0u;
+
+/// The plane of a face near a sphere, which it is in front of as a step begins.
+struct NearPlane {
+    std::uint32_t sphere = 0;
+    double side = 0;     ///< metres: of its centre, then
+    Vec3 point, normal;  ///< the normal toward the sphere
+};
 
 /// Two spheres near each other, or a sphere near a face.
 struct NearContact {

@@ -114,9 +114,19 @@ private:
 
     /// How far from a body something may be and still be met within the step. What is farther the sweep finds.
     double margin_of(const Body& body, const BodyShapeData& shape) const {
+        return std::min(way_in_step(body, shape), 0.5 * shape.thinnest + 2 * skin_) + 2 * skin_;
+    }
+
+    double way_in_step(const Body& body, const BodyShapeData& shape) const {
         const double speed =
             length(body.velocity) + length(body.spin) * shape.reach + length(options_.gravity) * seconds_;
-        return std::min(speed * seconds_, 0.5 * shape.thinnest + 2 * skin_) + 2 * skin_;
+        return speed * seconds_;
+    }
+
+    /// How far from a body faces are noted. What they may be met in is then known for most that move.
+    double far_of(const Body& body, const BodyShapeData& shape, double margin) const {
+        constexpr double kFarthest = 0.5;  // metres
+        return std::max(margin, std::min(1.05 * way_in_step(body, shape), kFarthest) + 2 * skin_);
     }
 
     /// However fast it and a part go.
@@ -168,7 +178,7 @@ private:
             const Body& body = bodies_.slots[movers_[k].slot];
             const std::size_t first = near_.size();
             const double margin = margin_of(body, *movers_[k].shape);
-            of_world.find(movers_[k], k, body, margin, near_);
+            of_world.find(movers_[k], k, body, margin, far_of(body, *movers_[k].shape, margin), near_);
             if (!parts_.empty())
                 of_world.find_on_parts(parts_, movers_[k], k, body, margin, largest_margin(*movers_[k].shape), near_);
             for (std::size_t contact = first; contact < near_.size(); ++contact) {
@@ -177,6 +187,7 @@ private:
                 near_[contact].rolling = body.rolling * near_[contact].radius_a;
             }
         }
+        planes_ = of_world.take_planes();
         for (auto [one, other] : pairs_) {
             if (movers_of_slots_[one] == kFixed) std::swap(one, other);
             if (movers_of_slots_[one] == kFixed) continue;
@@ -262,7 +273,7 @@ private:
 
     void sweep() {
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
-        BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, sound_, rules);
+        BodySweep sweep(world_, parts_, bodies_, movers_, planes_, movers_of_slots_, sound_, rules);
         sweep.run();
         for (Mover& mover : movers_) slow_if_wedged(mover, sweep.is_wedged(mover.slot));
         sweep.tell(guard_);
@@ -358,6 +369,7 @@ private:
     std::vector<std::uint32_t> movers_of_slots_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
     std::vector<NearContact> near_;
+    std::vector<NearPlane> planes_;  ///< of movers, each one's in a row
     std::vector<bool> pressed_;
     EnergyGuard guard_;
 };

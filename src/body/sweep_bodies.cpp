@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "body/body_tolerance.h"
+#include "body/cast_spheres.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
 #include "body/turn_between.h"
@@ -15,6 +16,8 @@ namespace {
 
 /// Of the thinnest sphere of two bodies: what comes no nearer to each other in a step than this is left to contacts.
 constexpr double kSlowShare = 0.5;
+/// Of the skin: a sweep stops so far before a sphere would be as deep as the skin, too.
+constexpr double kSinks = 0.75;
 /// What has met enough may be met by parts, and what these take along, so often again.
 constexpr int kMostCarries = 8;
 /// Radians: what turns farther in what is left of a step goes so far. Arcs are divided by angle, and a spin by numbers
@@ -56,12 +59,13 @@ RigidMotion motion_of(const Mover& mover) {
 }  // namespace
 
 BodySweep::BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
-                     std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound,
-                     const SweepRules& rules)
+                     std::span<const NearPlane> planes, std::vector<std::uint32_t>& movers_of_slots,
+                     const std::vector<bool>& sound, const SweepRules& rules)
     : world_(world),
       parts_(parts),
       bodies_(bodies),
       movers_(movers),
+      planes_(planes),
       movers_of_slots_(movers_of_slots),
       sound_(sound),
       rules_(rules) {}
@@ -110,9 +114,31 @@ void BodySweep::start() {
         balls.back().awake = way_of(way.motion, mover.shape->reach) > 0.5 * kSlowShare * mover.shape->thinnest;
         if (!parts_are_clear(mover)) find_part_touch(slot);
         if (moved_clearly(mover, way.motion)) continue;
-        find_world_touch(slot);
+        if (!(way_of(way.motion, mover.shape->reach) < mover.known))
+            find_world_touch(slot);
+        else if (const std::span<const Sphere> cores = cores_that_may_touch(mover, way.motion); !cores.empty())
+            note_world_touch(slot, cast_spheres(world_, cores, way.motion, world_options(slot)));
     }
     for (const auto& [slot, other] : near_pairs(std::move(balls))) find_pair_touch(slot, other, Overlap::kPassed);
+}
+
+/// The spheres that may come to touch a face, as they are swept. Others stay, thinner by most of the skin, in front of
+/// the plane of each face near them: they do where they begin and end, but for how far their arcs bulge out between.
+std::span<const Sphere> BodySweep::cores_that_may_touch(const Mover& mover, const RigidMotion& motion) {
+    cores_.clear();
+    const double turn = length(motion.turn);
+    std::uint32_t last = ~0u;
+    for (const NearPlane& plane : planes_.subspan(mover.first_plane, mover.planes)) {
+        if (plane.sphere == last) continue;
+        const Sphere& sphere = mover.shape->spheres[plane.sphere];
+        const double ends = dot(mover.centre_of(plane.sphere) - plane.point, plane.normal);
+        const double bulge = length(sphere.centre) * turn * turn / 8;
+        const double sinks = std::min(rules_.skin, 0.5 * sphere.radius);
+        if (std::min(plane.side, ends) - bulge >= sphere.radius - kSinks * sinks) continue;
+        cores_.push_back({sphere.centre, sphere.radius - sinks});
+        last = plane.sphere;
+    }
+    return cores_;
 }
 
 /// A sphere around all of the way that is left.
@@ -136,14 +162,21 @@ RigidMotion BodySweep::between(const Way& way, double from, double to) const {
     return {pose.position, normalised(pose.rotation), way.motion.path * share, way.motion.turn * share};
 }
 
-void BodySweep::find_world_touch(std::uint32_t slot) {
-    Way& way = ways_[slot];
-    if (!way.swept) ++swept_;
-    way.swept = true;
+CastOptions BodySweep::world_options(std::uint32_t slot) const {
     CastOptions options;
     options.mask = bodies_.slots[slot].mask;
     options.contact_offset = rules_.skin * 0.25;
-    const SetHit hit = cast(world_, cores_of(slot, cores_), way.motion, options);
+    return options;
+}
+
+void BodySweep::find_world_touch(std::uint32_t slot) {
+    note_world_touch(slot, cast(world_, cores_of(slot, cores_), ways_[slot].motion, world_options(slot)));
+}
+
+void BodySweep::note_world_touch(std::uint32_t slot, const SetHit& hit) {
+    Way& way = ways_[slot];
+    if (!way.swept) ++swept_;
+    way.swept = true;
     if (hit.status == Status::kInvalid) way.motion.path = way.motion.turn = {};
     if (!hit.touched()) return;
     touches_.push({way.from + hit.safe_fraction * (way.to - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point,

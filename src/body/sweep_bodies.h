@@ -36,7 +36,8 @@ public:
     /// @param movers_of_slots  kFixed where no mover is
     /// @param sound            of slots: others are met by nothing
     BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
-              std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound, const SweepRules& rules);
+              std::span<const NearPlane> planes, std::vector<std::uint32_t>& movers_of_slots,
+              const std::vector<bool>& sound, const SweepRules& rules);
 
     void run();
 
@@ -88,9 +89,12 @@ private:
     };
 
     void start();
+    CastOptions world_options(std::uint32_t slot) const;
     void find_world_touch(std::uint32_t slot);
+    void note_world_touch(std::uint32_t slot, const SetHit& hit);
     void find_part_touch(std::uint32_t slot);
     bool parts_are_clear(const Mover& mover) const;
+    std::span<const Sphere> cores_that_may_touch(const Mover& mover, const RigidMotion& motion);
     enum class Overlap : std::uint8_t { kPassed, kMeets };
     void find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start);
     void find_touches(std::uint32_t slot);
@@ -113,6 +117,7 @@ private:
     const StepParts& parts_;
     Bodies& bodies_;
     std::vector<Mover>& movers_;
+    const std::span<const NearPlane> planes_;
     std::vector<std::uint32_t>& movers_of_slots_;
     const std::vector<bool>& sound_;
     const SweepRules& rules_;

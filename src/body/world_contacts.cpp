@@ -59,11 +59,15 @@ struct FacetsNear {
 
 }  // namespace
 
-void WorldContacts::find(Mover& mover, std::uint32_t index, const Body& body, double margin,
+void WorldContacts::find(Mover& mover, std::uint32_t index, const Body& body, double margin, double far,
                          std::vector<NearContact>& found) {
-    look_around(world_, mover, body.mask, margin);
-    keep_apart(found, mover, index, kNoPart);
-    mover.clear = std::min(margin + skin_, least_clear(mover));
+    look_around(world_, mover, body.mask, far);
+    mover.known = std::min(far, behind_);
+    keep_apart(found, mover, index, kNoPart, margin);
+    mover.first_plane = std::uint32_t(planes_.size());
+    mover.planes = std::uint32_t(touches_.size());
+    for (const Touch& touch : touches_) planes_.push_back({touch.sphere, touch.side, touch.point, touch.plane});
+    mover.clear = std::min(far + skin_, least_clear(mover));
 }
 
 void WorldContacts::find_on_parts(const StepParts& parts, Mover& mover, std::uint32_t index, const Body& body,
@@ -86,7 +90,7 @@ void WorldContacts::find_on_parts(const StepParts& parts, Mover& mover, std::uin
             touch.point = part.frame.out(touch.point);
             touch.normal = part.frame.direction_out(touch.normal);
         }
-        keep_apart(found, mover, index, k);
+        keep_apart(found, mover, index, k, reach);
         mover.part_clear = std::min(mover.part_clear, least_clear(mover));
     }
 }
@@ -94,6 +98,7 @@ void WorldContacts::find_on_parts(const StepParts& parts, Mover& mover, std::uin
 /// Puts all touches into touches_.
 void WorldContacts::look_around(const World& world, const Mover& mover, std::uint32_t mask, double margin) {
     touches_.clear();
+    behind_ = INFINITY;
     const double reach = mover.shape->reach + margin;
     const auto show = [&](const Block& block, std::uint32_t slot, const PolygonShape& polygon) {
         look_at(mover, margin, polygon, block.faces[slot].two_sided, ref_to(block, slot), {});
@@ -123,18 +128,24 @@ void WorldContacts::look_at(const Mover& mover, double margin, const PolygonShap
     for (std::uint32_t k = 0; k < spheres.size(); ++k) {
         const Vec3 w = mover.centre_of(k) - polygon.corners[0];
         const double side = dot(w, normal), reach = spheres[k].radius + margin;
-        if (side > reach || side < (two_sided ? -reach : 0)) continue;
+        const bool is_behind = side < 0 && !two_sided;
+        if (side > reach || side < (is_behind ? -std::min(margin, behind_) : -reach)) continue;
         const Closest closest = closest_to(w, polygon);
         if (closest.distance > reach) continue;
+        if (is_behind) {
+            behind_ = -side;
+            continue;
+        }
         const double gap = closest.distance - spheres[k].radius;
         const Vec3 away = closest.distance > 0 ? closest.away * (1 / closest.distance) : normal * (side < 0 ? -1 : 1);
-        touches_.push_back({k, gap, polygon.corners[0] + closest.offset, away, face, portal});
+        touches_.push_back({k, gap, polygon.corners[0] + closest.offset, away, std::fabs(side),
+                            side < 0 ? normal * -1.0 : normal, face, portal});
     }
 }
 
 /// The level's, or those of one part: what lies behind a part comes to light when that goes.
 void WorldContacts::keep_apart(std::vector<NearContact>& found, const Mover& mover, std::uint32_t index,
-                               std::uint32_t part) {
+                               std::uint32_t part, double margin) {
     sort_range(touches_, [](const Touch& a, const Touch& b) {
         if (a.sphere != b.sphere) return a.sphere < b.sphere;
         if (a.gap != b.gap) return a.gap < b.gap;
@@ -144,7 +155,7 @@ void WorldContacts::keep_apart(std::vector<NearContact>& found, const Mover& mov
     std::size_t first = found.size();  // of the sphere's
     for (const Touch& touch : touches_) {
         if (first < found.size() && found[first].at.sphere != touch.sphere) first = found.size();
-        if (found.size() - first == kMaxContacts) continue;
+        if (touch.gap > margin || found.size() - first == kMaxContacts) continue;
         // Behind the plane of a nearer contact of the sphere there is nothing that it could touch.
         const auto hides = [&](const NearContact& other) {
             return dot(touch.point - other.at.point, other.at.normal) < kInPlaneSlop;
