@@ -35,6 +35,14 @@ class FireFight(CliTest):
             self.assertGreater(report['player']['way'], 8)
         self.assertEqual(self.firma_json('demo', DEPOT, '--seconds', seconds)['hash'], report['hash'])
 
+    @unittest.skipIf(SANITIZED, 'takes minutes')
+    def test_all_comes_to_rest(self):
+        # The last blast is 14 s after the start.
+        report = self.firma_json('demo', DEPOT, '--seconds', '20')
+        self.all_holds(report)
+        self.assertGreater(report['bodies']['end'], 100)
+        self.assertEqual(report['bodies']['at_rest'], report['bodies']['end'])
+
     def test_text(self):
         report = self.firma_json('demo', FIRST, '--seconds', '2', '--seed', '5')
         self.all_holds(report)
