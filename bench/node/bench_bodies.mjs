@@ -3,6 +3,7 @@
 // depth, energy that comes from nowhere, time to rest.
 //
 //   node bench_bodies.mjs [--quick] [--csv FOLDER]
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { loadGames } from '../../bindings/js/src/games.js';
 import { firmaBodies, joltBodies, NUMBERS, rapierBodies, statesOf, TICK } from './body_engines.mjs';
@@ -83,7 +84,8 @@ function run(engine, scene) {
 
 const { quick, csv } = settings();
 const games = await loadGames(root('build/wasm/bin/firma_games.wasm'));
-const scenes = bodyScenes(games, await triangulatedObj(root('levels/first.obj')), quick);
+const depot = await games.worldFromMap(readFileSync(root('levels/depot.map')));
+const scenes = bodyScenes(games, await triangulatedObj(root('levels/first.obj')), depot, quick);
 const engines = [firmaBodies(games), await joltBodies(false), await joltBodies(true), await rapierBodies(false), await rapierBodies(true)];
 // The first runs are for the engine, which has to compile what is timed.
 for (const engine of engines) run(engine, { ...scenes[0], seconds: quick ? 0.1 : 1 });

@@ -19,9 +19,9 @@ function ball() {
 }
 
 /** Eight balls in the corners of a box of half a metre: as bench/bodies has it. */
-function crate() {
+function crate(density) {
     const corner = (k, axis) => ((k >> axis) & 1 ? 0.125 : -0.125);
-    return kindOf('crate', Array.from({ length: 8 }, (_, k) => [corner(k, 0), corner(k, 1), corner(k, 2), 0.125]), [0.25, 0.25, 0.25], 1000);
+    return kindOf('crate', Array.from({ length: 8 }, (_, k) => [corner(k, 0), corner(k, 1), corner(k, 2), 0.125]), [0.25, 0.25, 0.25], density);
 }
 
 function plank() {
@@ -54,7 +54,7 @@ function roomFor(rng, world, low, high, reach, taken) {
 function scattered(name, level, count, least, most, seed) {
     const rng = new Rng(seed);
     const rocks = Array.from({ length: 8 }, () => rock(rng));
-    const [one, box, long] = [ball(), crate(), plank()];
+    const [one, box, long] = [ball(), crate(1000), plank()];
     const taken = [];
     const bodies = Array.from({ length: count }, (_, k) => {
         const kind = [box, long, rocks[k % 8], one][k % 4];
@@ -84,25 +84,32 @@ function slab(firma) {
     return { mesh, world: firma.worldFromMesh(mesh), low: [-128, -128, 0], high: [128, 128, 20] };
 }
 
-function stacks(firma, count, height) {
-    const kind = crate();
+/** @param highest  kilograms a cubic metre, of the highest crate of each */
+function stacks(name, firma, count, height, highest) {
+    const [kind, top] = [crate(1000), crate(highest)];
     const bodies = [];
     for (let stack = 0; stack < count; ++stack)
         for (let k = 0; k < height; ++k)
-            bodies.push({ kind, position: [2 * stack, 0, 0.25 + 0.5 * k], rotation: [0, 0, 0, 1], velocity: [0, 0, 0], spin: [0, 0, 0] });
-    return { name: 'stacks', level: slab(firma), bodies, seconds: 6 };
+            bodies.push({ kind: k + 1 < height ? kind : top, position: [2 * stack, 0, 0.25 + 0.5 * k], rotation: [0, 0, 0, 1], velocity: [0, 0, 0], spin: [0, 0, 0] });
+    return { name, level: slab(firma), bodies, seconds: 6 };
 }
 
 /** @param mesh of the level, triangles */
-export function bodyScenes(firma, mesh, quick) {
-    const world = firma.worldFromMesh(mesh);
-    const level = { mesh, world, ...(({ low, high }) => ({ low, high }))(world.facts()) };
+const levelOf = (mesh, world) => ({ mesh, world, ...(({ low, high }) => ({ low, high }))(world.facts()) });
+
+/** @param depot  world of levels/depot.map: the others get its triangles */
+export function bodyScenes(firma, mesh, depot, quick) {
+    const level = levelOf(mesh, firma.worldFromMesh(mesh));
+    const { positions, corners } = depot.triangles({ solidOnly: true });
+    const hall = levelOf({ positions: Float64Array.from(positions), corners }, depot);
     const share = quick ? 15 : 1;
     const scenes = [
         scattered('dropped', level, 150 / share, 0, 0, 5),
         scattered('thrown at 1-30 m/s', level, 150 / share, 1, 30, 6),
         scattered('shot at 100-300 m/s', level, 150 / share, 100, 300, 7),
-        stacks(firma, quick ? 1 : 15, 10),
+        scattered('thrown, depot', hall, 150 / share, 1, 30, 8),
+        stacks('stacks', firma, quick ? 1 : 15, 10, 1000),
+        stacks('heavy on light', firma, quick ? 1 : 15, 4, 1_000_000),
     ];
     for (const scene of scenes) if (quick) scene.seconds = 0.5;
     return scenes;
