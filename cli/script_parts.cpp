@@ -101,6 +101,14 @@ PartStop stop_of(const Json& json, const std::string& place) {
     return stop;
 }
 
+WhenBlocked when_blocked_of(JsonFields& fields) {
+    const std::string name = fields.text("when_blocked", "crushes");
+    if (name == "stops") return WhenBlocked::kStops;
+    if (name == "returns") return WhenBlocked::kReturns;
+    if (name != "crushes") fields.fail("when_blocked", "'" + name + "' is none of stops, returns, crushes");
+    return WhenBlocked::kCrushes;
+}
+
 PartPath path_of(JsonFields& fields) {
     PartPath path;
     const Json& stops = fields.list("stops");
@@ -136,6 +144,7 @@ void add_part_of(const Json& json, const std::string& place, GameState& game) {
     PartDrive drive;
     drive.path = path_of(fields);
     drive.waits = fields.flag("waits", !drive.path.stops.empty());
+    drive.when_blocked = when_blocked_of(fields);
     fields.finish();
     add_part(game, std::move(part), std::move(drive));
 }

@@ -86,6 +86,7 @@ void add_brush_parts(const BrushLevel& level, GameState& game) {
         PartDrive drive;
         drive.path = part.path;
         drive.waits = part.waits_for_trigger;
+        drive.when_blocked = part.when_blocked;
         add_part(game, std::move(moving), std::move(drive));
     }
 }

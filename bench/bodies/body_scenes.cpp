@@ -44,7 +44,7 @@ BodyScene rubble(World world, std::size_t most) {
 
 /// As judge_bodies() throws them, at speeds from `least` to `most`.
 BodyScene thrown(std::string name, const World& world, std::size_t count, double least, double most) {
-    BodyScene scene{std::move(name), "bodies of 1 to 40 spheres", world, {}, 10};
+    BodyScene scene{std::move(name), "bodies of 1 to 200 spheres", world, {}, 10};
     scene.what += ", " + std::to_string(int(least)) + " to " + std::to_string(int(most)) + " m/s";
     const Level walls = scenes::cut_places(world).inside;
     Rng rng(5);

@@ -39,6 +39,7 @@ std::unique_ptr<PartsObject> parts_of(const GameState& game) {
         given.brush.entity = game.parts[k].entity;
         given.brush.path = game.drives[k].path;
         given.brush.waits_for_trigger = game.drives[k].waits;
+        given.brush.when_blocked = game.drives[k].when_blocked;
         given.stops = stops_told(given.brush.path);
         given.bears = false;
         object->given.push_back(std::move(given));
@@ -53,6 +54,7 @@ firma_game_part_state part_told(const GameState& game, std::uint32_t index) {
     out.mask = part.mask;
     out.entity = part.entity;
     out.waits = drive.waits;
+    out.when_blocked = std::uint32_t(drive.when_blocked);
     out.at_first_stop = at_first_stop(drive.path, drive_seconds(game, drive, game.tick));
     out.started = drive.started;
     out.motion = motion_told(part.motion);

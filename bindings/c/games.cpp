@@ -145,8 +145,10 @@ firma_code read_game_part(const firma_game_part* given, MovingPart& part, PartDr
     firma_game_part whole;
     firma_game_part_defaults(&whole);
     take_sized(given, whole);
-    if (whole.waits > 1 || whole.no_portals > 1 || whole.reserved != 0)
-        return fail(FIRMA_ERROR_INVALID, function, "what is 0 or 1 is neither, or reserved is not 0");
+    if (whole.waits > 1 || whole.no_portals > 1)
+        return fail(FIRMA_ERROR_INVALID, function, "what is 0 or 1 is neither");
+    if (whole.when_blocked > FIRMA_BLOCKED_CRUSHES)
+        return fail(FIRMA_ERROR_INVALID, function, "when_blocked is no firma_when_blocked");
     if (whole.portal_count && !whole.portals) return bad_call(function, "a count without its array");
     const WorldObject* const object = find<WorldObject>(whole.world.id, function);
     if (!object) return FIRMA_ERROR_BAD_HANDLE;
@@ -159,6 +161,7 @@ firma_code read_game_part(const firma_game_part* given, MovingPart& part, PartDr
     part.entity = whole.entity;
     part.name = text_of(whole.name);
     drive.waits = whole.waits != 0;
+    drive.when_blocked = WhenBlocked(whole.when_blocked);
     finds_portals = whole.no_portals == 0;
     for (std::size_t k = 0; k < whole.portal_count; ++k) drive.portals.push_back({whole.portals[k]});
     return FIRMA_OK;
@@ -333,6 +336,7 @@ void firma_game_part_defaults(firma_game_part* part) {
     part->size = sizeof *part;
     part->mask = ~0u;
     part->entity = FIRMA_NO_PART;
+    part->when_blocked = FIRMA_BLOCKED_CRUSHES;
 }
 
 firma_code firma_game_add_part(firma_game game, const firma_game_part* part, uint32_t* index) {

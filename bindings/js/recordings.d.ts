@@ -294,6 +294,8 @@ export interface PartPath {
     swing?: { reach?: Vector; angle?: number; period?: number; phase?: number };
 }
 
+export type WhenBlocked = 'stops' | 'returns' | 'crushes';
+
 export interface GamePart {
     /** The solid in the part's frame, of one room; shared, so it may be released. */
     world: World;
@@ -307,6 +309,8 @@ export interface GamePart {
     entity?: number;
     /** Set off by setOff(), and time 0 of its path is then; else it is tick 0. */
     waits?: boolean;
+    /** Where a player or body would be crushed between it and something else it waits, goes back, or goes on ('crushes', unless given). */
+    whenBlocked?: WhenBlocked;
     /** Portals that its solid covers at its first stop are closed while it stands there, if it waits; true unless given. */
     findPortals?: boolean;
     /** Besides: portals that are closed while it stands at its first stop. */
@@ -320,6 +324,7 @@ export interface GamePartState {
     waits: boolean;
     /** It stands there: a door that is shut. */
     atFirstStop: boolean;
+    whenBlocked: WhenBlocked;
     /** The tick when it was set off; null: never, or it does not wait. */
     started: number | null;
     /** Of the last tick. */

@@ -17,13 +17,6 @@
 
 namespace firma {
 
-/// What becomes of a part that something is in the way of, and of that. For games: Firma moves nothing by itself.
-enum class WhenBlocked : std::uint8_t {
-    kStops,    ///< it waits where it is until the way is free: trains, blades
-    kReturns,  ///< it goes back to where it came from: doors, lifts
-    kCrushes,  ///< it goes on, and what is in the way is hurt, or out of the way
-};
-
 /// A part that an entity makes.
 struct BrushPart {
     std::uint32_t entity = 0;  ///< index into BrushLevel::entities

@@ -2685,7 +2685,7 @@ typedef struct firma_game_part {
     uint32_t waits;          /* 1: set off by firma_game_set_off(), and time 0 of its path is then; 0: it is tick 0 */
     uint32_t no_portals;     /* 1: only `portals`; 0: also those that its solid covers at its first stop, if it
                                 waits */
-    uint32_t reserved;       /* must be 0 */
+    uint32_t when_blocked;   /* firma_when_blocked, where a player or body would be crushed; FIRMA_BLOCKED_CRUSHES */
     const uint32_t* portals; /* that are closed while it stands at its first stop, and open else; may be null */
     size_t portal_count;
 } firma_game_part;
@@ -2765,10 +2765,10 @@ typedef struct firma_game_part_state {
     uint32_t entity;        /* or FIRMA_NO_PART */
     uint32_t waits;         /* 1: it has to be set off */
     uint32_t at_first_stop; /* 1: it stands there: a door that is shut */
-    uint32_t reserved;
-    uint64_t started;    /* the tick when it was set off; FIRMA_NO_TICK: never, or it does not wait */
-    firma_motion motion; /* of the last tick */
-    const char* name;    /* good until a part is added, the game stepped or released */
+    uint32_t when_blocked;  /* firma_when_blocked */
+    uint64_t started;       /* the tick when it was set off; FIRMA_NO_TICK: never, or it does not wait */
+    firma_motion motion;    /* of the last tick */
+    const char* name;       /* good until a part is added, the game stepped or released */
 } firma_game_part_state;
 
 /* FIRMA_ERROR_OUT_OF_RANGE for a part, player or weapon that is not there, here and below. */

@@ -77,7 +77,11 @@ struct PartDrive {
     /// Set off by a PartEvent: time 0 of its path is then, and before it stands at its first stop. Else it is tick 0.
     bool waits = false;
     std::uint64_t started = kNoTick;  ///< of one that waits: the tick when it was set off
-    std::vector<PortalId> portals;    ///< that are closed while it stands at its first stop, and open else
+    /// Where a player or body would be crushed between it and something else. One that turns back does so at once.
+    WhenBlocked when_blocked = WhenBlocked::kCrushes;
+    std::uint64_t held = 0;         ///< ticks that it waited by that
+    double ahead = 0;               ///< seconds on its path that it left out as it turned back; less than 0: went twice
+    std::vector<PortalId> portals;  ///< that are closed while it stands at its first stop, and open else
 };
 
 struct GamePlayer {

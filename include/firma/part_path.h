@@ -3,6 +3,7 @@
 // Pure functions of the time: the same bits on every machine, and back in time as well as on.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "firma/export.h"
@@ -36,6 +37,13 @@ struct PartPath {
     Vec3 axis{0, 0, 1};               ///< unit, in the world's axes, of all angles
     double spin = 0;                  ///< radians a second about it
     PartSwing swing{};
+};
+
+/// What becomes of a part that something is in the way of, and of that. step_game() does so; else it is for games.
+enum class WhenBlocked : std::uint8_t {
+    kStops,    ///< it waits where it is until the way is free: trains, blades
+    kReturns,  ///< it goes back to where it came from: doors, lifts
+    kCrushes,  ///< it goes on, and what is in the way is hurt, or out of the way
 };
 
 /// Where a part is at a time.

@@ -32,7 +32,10 @@ public:
         if (!drive.waits) return;
         const bool rests =
             drive.started == kNoTick || at_first_stop(drive.path, drive_seconds(game_, drive, game_.tick));
-        if (rests) drive.started = game_.tick;
+        if (!rests) return;
+        drive.started = game_.tick;
+        drive.held = 0;
+        drive.ahead = 0;
     }
 
 private:

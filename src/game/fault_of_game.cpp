@@ -27,9 +27,12 @@ std::optional<Error> fault_of_drive(const GameState& game, std::size_t k) {
     const std::string place = "part " + std::to_string(k);
     const PartDrive& drive = game.drives[k];
     if (drive.started != kNoTick && drive.started > game.tick) return broken(place, "it was set off later than now");
+    if (drive.held > game.tick) return broken(place, "it waited longer than the game goes");
+    if (drive.when_blocked > WhenBlocked::kCrushes) return broken(place, "what it does when blocked is none");
     const PartPath& path = drive.path;
     bool finite = is_finite(path.axis) && is_finite(path.spin) && is_finite(path.swing.reach) &&
-                  is_finite(path.swing.angle) && is_finite(path.swing.period) && is_finite(path.swing.phase);
+                  is_finite(path.swing.angle) && is_finite(path.swing.period) && is_finite(path.swing.phase) &&
+                  is_finite(drive.ahead);
     for (const double part : path.rotation) finite = finite && is_finite(part);
     for (const PartStop& stop : path.stops)
         finite = finite && is_finite(stop.position) && is_finite(stop.angle) && stop.wait == stop.wait &&

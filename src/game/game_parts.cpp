@@ -18,8 +18,9 @@ constexpr double kBeforeStart = -0x1p-40;
 }  // namespace
 
 double drive_seconds(const GameState& game, const PartDrive& drive, std::uint64_t tick) {
-    if (!drive.waits) return double(tick) / game.rate;
-    return drive.started > tick ? kBeforeStart : double(tick - drive.started) / game.rate;
+    if (drive.waits && drive.started > tick) return kBeforeStart;
+    const std::uint64_t since = (drive.waits ? drive.started : 0) + drive.held;
+    return double(std::int64_t(tick - since)) / game.rate + drive.ahead;
 }
 
 RigidMotion drive_motion(const GameState& game, const PartDrive& drive) {

@@ -43,8 +43,10 @@ std::uint64_t hash_part(const MovingPart& part, const PartDrive& drive) {
     hash.add(part.mask, part.entity);
     add_text(hash, part.name);
     add_path(hash, drive.path);
-    hash.add(std::uint32_t(drive.waits));
+    hash.add(std::uint32_t(drive.waits), std::uint32_t(drive.when_blocked));
     hash.add(drive.started);
+    hash.add(drive.held);
+    hash.add(drive.ahead);
     for (const PortalId portal : drive.portals) hash.add(portal.value);
     return hash.value();
 }

@@ -2,6 +2,7 @@
 // Parts that move, and debris, as bytes.
 #include "game/part_bytes.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "firma/save.h"
@@ -77,7 +78,10 @@ void put_part(ByteWriter& out, const MovingPart& part, const PartDrive& drive) {
     put_motion(out, part.motion);
     put_path(out, drive.path);
     put_flags(out, {drive.waits});
+    put_whole(out, std::uint64_t(drive.when_blocked));
     out.u64(drive.started);
+    out.u64(drive.held);
+    put_numbers(out, {drive.ahead});
     put_whole(out, drive.portals.size());
     for (const PortalId portal : drive.portals) put_whole(out, portal.value);
     put_content(out, pack_world(part.world()));
@@ -89,7 +93,10 @@ void take_part(ByteReader& in, MovingPart& part, PartDrive& drive) {
     const RigidMotion motion = take_motion(in);
     drive.path = take_path(in);
     take_flags(in, {&drive.waits});
+    drive.when_blocked = WhenBlocked(std::min(take_u32_whole(in), 255u));  // fault_of_game() judges it
     drive.started = in.u64();
+    drive.held = in.u64();
+    take_numbers(in, {&drive.ahead});
     drive.portals.resize(take_count(in, 1));
     for (PortalId& portal : drive.portals) portal.value = take_u32_whole(in);
     part = MovingPart(take_world(in), motion);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "firma/rooms.h"
+#include "game/blocked_parts.h"
 #include "game/game_blast.h"
 #include "game/game_edits.h"
 #include "game/game_parts.h"
@@ -41,6 +42,7 @@ public:
     }
 
     void run() {
+        hold_blocked_parts(game_, motions_);
         move_parts();
         move_players();
         for (const Bang& bang : fly_shots(game_, seconds_, report_))

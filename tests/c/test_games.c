@@ -206,6 +206,10 @@ static void test_parts_of_games(firma_world room) {
     part.waits = 2;
     CHECK_FAILS(firma_game_add_part(game, &part, &index), FIRMA_ERROR_INVALID, "0 or 1");
     part.waits = 0;
+    CHECK(part.when_blocked == FIRMA_BLOCKED_CRUSHES);
+    part.when_blocked = 3;
+    CHECK_FAILS(firma_game_add_part(game, &part, &index), FIRMA_ERROR_INVALID, "when_blocked");
+    part.when_blocked = FIRMA_BLOCKED_RETURNS;
     part.portal_count = 1;
     CHECK_FAILS(firma_game_add_part(game, &part, &index), FIRMA_ERROR_BAD_CALL, "count");
     const uint32_t none = 99;
@@ -223,6 +227,8 @@ static void test_parts_of_games(firma_world room) {
     part.path = NULL;
     CHECK_OK(firma_game_add_part(game, &part, &index));
     CHECK(index == 1);
+    CHECK_OK(firma_game_get_part(game, 1, &state));
+    CHECK(state.when_blocked == FIRMA_BLOCKED_RETURNS);
     CHECK_OK(firma_game_set_off(game, 1)); /* in vain: it does not wait */
     CHECK_OK(firma_game_step(game));       /* a portal that is not there is passed over */
     CHECK_OK(firma_world_release(slab));

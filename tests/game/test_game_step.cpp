@@ -2,6 +2,7 @@
 // Ticks of a game: what its parts, players, projectiles, blasts and debris do together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "firma/rooms.h"
@@ -180,6 +181,94 @@ TEST(GameStep, ADoorClosesItsPortalWhileItIsShut) {
     ticks(game, 3);
     EXPECT_FALSE(portal_info(game.world, {0})->open);
     EXPECT_EQ(game.log.commands().size(), 3u);
+}
+
+/// A leaf that goes a metre to a wall and back in a second each way, with something in its way.
+GameState leaf_and_wall(WhenBlocked when_blocked) {
+    // The wall stands from x = 2 on; the leaf's face goes from x = 0.125 to 1.625.
+    const World level = test::brush_world(map_text::box({-32, -32, -4}, {32, 32, 0}, "rock") +
+                                          map_text::box({2, -4, 0}, {4, 4, 4}, "rock"));
+    GameState game = begin_game(with_anchors(level), 60);
+    PartDrive drive;
+    drive.path.stops = {{{0, 0, 0}, 0, 0, 1}, {{1.5, 0, 0}, 0, 0.5, 1}};
+    drive.waits = true;
+    drive.when_blocked = when_blocked;
+    add_part(game, named_part(box_world({-0.125, -1, 0.0625}, {0.125, 1, 2}), "leaf"), drive);
+    return game;
+}
+
+double leaf_at(const GameState& game) {
+    return game.parts[0].motion.position.x + game.parts[0].motion.path.x;
+}
+
+/// How far the leaf came, how far it is at the end, and in how many ticks somebody was crushed.
+struct LeafRun {
+    double farthest = 0, last = 0;
+    int crushed = 0;
+};
+
+LeafRun run_leaf(GameState& game, int count) {
+    LeafRun run;
+    for (int k = 0; k < count; ++k) {
+        const GameReport report = ticks(game, 1);
+        for (const PlayerMove& move : report.moves) run.crushed += move.crushed_by != kNoPart;
+        run.crushed += report.bodies.crushed > 0;
+        run.farthest = std::max(run.farthest, leaf_at(game));
+    }
+    run.last = leaf_at(game);
+    return run;
+}
+
+TEST(GameStep, ALeafThatAPlayerOrACrateBlocksWaitsGoesBackOrGoesOn) {
+    for (const bool of_player : {true, false}) {
+        for (const WhenBlocked rule : {WhenBlocked::kStops, WhenBlocked::kReturns, WhenBlocked::kCrushes}) {
+            SCOPED_TRACE(std::string(of_player ? "player " : "crate ") + std::to_string(int(rule)));
+            GameState game = leaf_and_wall(rule);
+            // As wide as 0.7 and 0.5 m: the leaf is met by what stands against the wall.
+            if (of_player)
+                happens(game, PlayerEvent{game_player({1.6, 0, 0.01})});
+            else
+                happens(game, BodyEvent{body_here(test::box_body({0.25, 0.25, 0.25}), {1.7, 0, 0.251})});
+            ticks(game, 30);
+            happens(game, PartEvent{0});
+            const LeafRun there = run_leaf(game, 75);
+            if (rule == WhenBlocked::kCrushes) {
+                EXPECT_NEAR(there.farthest, 1.5, 1e-9);
+                EXPECT_GT(there.crushed, 0);
+                continue;
+            }
+            EXPECT_EQ(there.crushed, 0);
+            // It came as near as there is room for what is in its way.
+            const double room = of_player ? 2 - 0.125 - 2 * game.players[0].shape.radius() : 2 - 0.125 - 0.5;
+            EXPECT_LT(there.farthest, room + 0.03);
+            EXPECT_GT(there.farthest, room - 0.1);
+            if (rule == WhenBlocked::kStops)
+                EXPECT_NEAR(there.last, there.farthest, 1e-9);
+            else
+                EXPECT_LT(there.last, there.farthest - 0.3);
+            // Back at its first stop at last, or on its way again once there is room.
+            if (rule == WhenBlocked::kReturns) {
+                EXPECT_NEAR(run_leaf(game, 120).last, 0, 1e-9);
+                EXPECT_EQ(game.parts[0].motion.path, Vec3{});
+            } else if (!of_player) {
+                game.bodies.slots[0].position = {-3, 0, 0.251};
+                EXPECT_NEAR(run_leaf(game, 60).farthest, 1.5, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(GameStep, ABlockedLeafIsKeptInSaves) {
+    GameState game = leaf_and_wall(WhenBlocked::kStops);
+    happens(game, BodyEvent{body_here(test::box_body({0.25, 0.25, 0.25}), {1.7, 0, 0.251})});
+    happens(game, PartEvent{0});
+    ticks(game, 90);
+    EXPECT_GT(game.drives[0].held, 10u);
+    GameState again = unpack_game(pack_game(game).value(), "test").value();
+    EXPECT_EQ(hash_game(again), hash_game(game));
+    ticks(game, 30);
+    ticks(again, 30);
+    EXPECT_EQ(hash_game(again), hash_game(game));
 }
 
 TEST(GameStep, ABlastPushesPlayersAndBodies) {

@@ -103,7 +103,8 @@ private:
 
 firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
     SphereSet spheres;
-    const std::uint32_t count = rng.chance(0.1) ? 40 : 1 + rng.below(8);
+    const std::uint32_t many = rng.chance(0.1) ? 200 : 40, few = 1 + rng.below(8);
+    const std::uint32_t count = rng.chance(0.1) ? many : few;
     const double size = rng.uniform(0.05, 0.3);
     for (std::uint32_t k = 0; k < count; ++k) {
         const Vec3 way = rng.direction();

@@ -1677,7 +1677,7 @@ export const GAME_PART = Object.freeze({
     entity: 24,
     waits: 28,
     noPortals: 32,
-    reserved: 36,
+    whenBlocked: 36,
     portals: 40,
     portalCount: 44,
 });
@@ -1702,7 +1702,7 @@ export const GAME_PART_STATE = Object.freeze({
     entity: 8,
     waits: 12,
     atFirstStop: 16,
-    reserved: 20,
+    whenBlocked: 20,
     started: 24,
     motion: 32,
     name: 136,

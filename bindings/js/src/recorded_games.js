@@ -72,7 +72,8 @@ const SWING_FIELDS = {
     phase: PART_PATH.swingPhase,
 };
 const STOP_KINDS = { position: 'vector', angle: 'number', wait: 'number', seconds: 'number' };
-const PART_NAMES = ['world', 'mask', 'path', 'name', 'entity', 'waits', 'findPortals', 'portals'];
+const PART_NAMES = ['world', 'mask', 'path', 'name', 'entity', 'waits', 'whenBlocked', 'findPortals', 'portals'];
+const WHEN_BLOCKED_NAMES = layout.WHEN_BLOCKED_NAMES.map((name) => name.replace('blocked_', ''));
 const PLAYER_NAMES = ['shape', 'mass', 'player', 'wish', 'rules'];
 const MOVED_NAMES = Object.keys(BODY_KINDS).filter((name) => name !== 'position' && name !== 'rotation');
 const MOVED_KINDS = Object.fromEntries(MOVED_NAMES.map((name) => [name, BODY_KINDS[name]]));
@@ -173,6 +174,11 @@ function putPart(core, lent, part, place) {
     if (given.entity !== undefined) core.setU32(at + GAME_PART.entity, word(given.entity, place, 'entity'));
     if (given.name !== undefined) core.setU32(at + GAME_PART.name, lent.text(text(given.name, place, 'name')));
     core.setU32(at + GAME_PART.waits, flag(given.waits, place, 'waits'));
+    if (given.whenBlocked !== undefined) {
+        const kind = WHEN_BLOCKED_NAMES.indexOf(given.whenBlocked);
+        if (kind < 0) throw badCall(place, `whenBlocked must be one of ${WHEN_BLOCKED_NAMES.join(', ')}`);
+        core.setU32(at + GAME_PART.whenBlocked, kind);
+    }
     if (given.findPortals !== undefined)
         core.setU32(at + GAME_PART.noPortals, 1 - flag(given.findPortals, place, 'findPortals'));
     if (given.portals !== undefined) {
@@ -431,6 +437,7 @@ export class Game extends Handle {
             entity: orNull(core.getU32(at + GAME_PART_STATE.entity)),
             waits: core.getU32(at + GAME_PART_STATE.waits) !== 0,
             atFirstStop: core.getU32(at + GAME_PART_STATE.atFirstStop) !== 0,
+            whenBlocked: WHEN_BLOCKED_NAMES[core.getU32(at + GAME_PART_STATE.whenBlocked)],
             started: started === NO_TICK ? null : Number(started),
             motion: getMembers(core, at + GAME_PART_STATE.motion, MOTION, MOTION_KINDS),
         };

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { FirmaError, loadRecordings, Projectiles } from '../src/recordings.js';
 import { loadGames } from '../src/games.js';
 import { levelBytes, throwsCode } from './helpers.js';
-import { BALL, fight, holding, makeGame, makeHungRoom, recordings, recordingsUrl } from './recording_helpers.js';
+import { BALL, boxWorld, fight, holding, makeGame, makeHungRoom, recordings, recordingsUrl } from './recording_helpers.js';
 
 test('the module is one of games, too, and no other module is it', async () => {
     const games = await loadGames(recordingsUrl);
@@ -130,9 +130,38 @@ test('what happens is in the report, and what is there can be asked', () => {
         throwsCode('OUT_OF_RANGE', () => game.explode([NaN, 0, 0]), /blast/);
         throwsCode('BAD_CALL', () => game.wish(0, { run: true }), /there is no run/);
         throwsCode('BAD_CALL', () => game.addPart(), /must be an object/);
+        throwsCode('BAD_CALL', () => game.addPart({ world: room, whenBlocked: 'waits' }), /one of stops, returns, crushes/);
         throwsCode('BAD_HANDLE', () => game.addPlayer({ shape: room }), /player shape/);
         assert.equal(game.hash(), before);
     });
+});
+
+test('a lift that would crush a ball against the ceiling waits, goes back, or goes on', () => {
+    for (const [whenBlocked, crushes] of [['stops', false], ['returns', false], ['crushes', true]])
+        holding((hold) => {
+            const room = hold(makeHungRoom());
+            const game = hold(recordings.game(room, 60));
+            const slab = hold(boxWorld([-0.5, -0.5, -0.25], [0.5, 0.5, 0], true));
+            const top = 8;
+            const stops = [
+                { position: [2, 6, 0.5], seconds: 2 },
+                { position: [2, 6, top - 0.1], wait: 0.5, seconds: 2 },
+            ];
+            game.addPart({ world: slab, path: { stops }, waits: true, whenBlocked });
+            const ball = hold(recordings.bodyShape([0, 0, 0, 0.25], recordings.massOfBall(0.25, 1000)));
+            game.addBody(ball, { position: [2, 6, 0.76] });
+            game.setOff(0);
+            let highest = -Infinity;
+            let crushed = 0;
+            for (let tick = 0; tick < 130; ++tick) {
+                game.step();
+                crushed += game.report().bodies.crushed > 0;
+                highest = Math.max(highest, game.part(0).motion.position[2] + game.part(0).motion.path[2]);
+            }
+            assert.equal(game.part(0).whenBlocked, whenBlocked);
+            assert.equal(crushed > 0, crushes, `${whenBlocked}: ${crushed}`);
+            assert.equal(highest > top - 0.45, crushes, `${whenBlocked}: ${top - highest}`);
+        });
 });
 
 test('a saved game goes on as what was not saved', () => {
