@@ -21,10 +21,20 @@ FUZZ = os.path.join('build', 'sanitize', 'bin')
 THREAD = os.path.join('build', 'thread', 'bin')
 CANNOT_RUN = 3  # a program's exit code: nothing was checked
 
-# What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
-# count.
-APART = ('blast.h', 'bodies.h', 'brush_level.h', 'brush_world.h', 'cast_set.h', 'debris.h', 'firma.h', 'firma_c.h', 'fracture.h', 'mesh.h', 'read_gltf.h', 'save.h', 'sphere_set.h', 'triangles.h', 'turn.h', 'versions.h')
+# What casts and carving are made of. Of the public headers those of files, brushes, histories, what moves, games and other
+# languages do not count: claims that exercise them list them.
+APART = ('blast.h', 'bodies.h', 'break_parts.h', 'brush_level.h', 'brush_parts.h', 'brush_world.h', 'cast_set.h', 'convex_pieces.h', 'debris.h', 'firma.h', 'firma_c.h', 'fracture.h',
+         'game.h', 'mesh.h', 'motion.h', 'moving_parts.h', 'part_edits.h', 'part_path.h', 'pierce.h', 'players.h', 'projectiles.h', 'read_gltf.h', 'recording.h', 'save.h', 'sphere_set.h',
+         'support.h', 'triangles.h', 'turn.h', 'versions.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
+
+
+def public(*names):
+    return [f'include/firma/{name}.h' for name in names]
+
+
+# What src/brush and src/join include of those apart.
+OF_BRUSHES = public('brush_level', 'brush_parts', 'brush_world', 'motion', 'moving_parts', 'part_path', 'support', 'turn')
 # From a level to a world: of src/level nothing else.
 MAKE_WORLD = [f'src/level/{name}' for name in (
     'make_world.cpp', 'judge_level.h', 'judge_level.cpp', 'find_solids.h', 'find_solids.cpp', 'solid_pieces.h', 'solid_pieces.cpp',
@@ -54,19 +64,19 @@ JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'face
 
 READ_SOURCES = HEADERS + LEVEL + ['src/base', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
-BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush'] + [
+BRUSH_SOURCES = READ_SOURCES + OF_BRUSHES + ['src/brush'] + [
     f'src/geometry/{name}' for name in ('exact_plane.h', 'exact_plane.cpp', 'exact_integer.h', 'exact_integer.cpp', 'grid_orient.h', 'rounding.h')]
 
 
 def fuzzer(name, *headers):
     return [f'tests/fuzz/fuzz_{name}.cpp', 'tests/fuzz/CMakeLists.txt'] + [f'tests/fuzz/{header}.h' for header in headers]
 
-JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush',
-                                'tests/full/full_levels.cpp', 'tests/full/options.h', 'tests/openarena_maps.h']
+JOIN_SOURCES = CARVE_SOURCES + OF_BRUSHES + ['scenes', 'src/join', 'src/brush',
+                                             'tests/full/full_levels.cpp', 'tests/full/options.h', 'tests/openarena_maps.h']
 
 
-LOG_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'include/firma/save.h', 'src/join', 'src/brush',
-                               'src/save', 'src/log', 'levels/depot.map', 'tests/openarena_maps.h', 'tests/full/full_logs.cpp', 'tests/full/options.h',
+LOG_SOURCES = CARVE_SOURCES + OF_BRUSHES + ['scenes', 'include/firma/save.h', 'src/join', 'src/brush', 'src/save', 'src/log', 'levels/depot.map',
+                               'tests/openarena_maps.h', 'tests/full/full_logs.cpp', 'tests/full/options.h',
                                'tests/save/changed_patches.h', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + reference('judge_logs')
 
 
@@ -239,21 +249,21 @@ CLAIMS = [
           CAST_SOURCES + SCENES + LEVEL + ['levels/first.obj', 'tests/full/full_world_shapes.cpp', 'tests/full/options.h', 'tests/every_kernel.h', 'tests/world/any_shape.h',
                                    'tests/world/hit_bits.h'], 'test', world_shapes, 'full_world_shapes'),
     Claim('casts_together', 'casts of all shapes made together, 1 to 8 at a time, by each kernel of the lanes, as made singly', 1_000_000, 100_000, 'casts',
-          CAST_SOURCES + SCENES + LEVEL + ['levels/first.obj', 'levels/depot.map', 'src/brush', 'src/join', 'tests/full/full_together.cpp', 'tests/full/options.h',
+          CAST_SOURCES + SCENES + LEVEL + OF_BRUSHES + ['levels/first.obj', 'levels/depot.map', 'src/brush', 'src/join', 'tests/full/full_together.cpp', 'tests/full/options.h',
                                    'tests/every_kernel.h', 'tests/world/any_shape.h', 'tests/world/hit_bits.h'], 'test', together, 'full_together'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
           CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/family_run.h', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
     Claim('contact_cuts', 'cuts in forced contact, none refused, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
-          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/openarena_maps.h', 'tests/full/full_contact.cpp', 'tests/brush/unprotected_world.h',
+          CARVE_SOURCES + OF_BRUSHES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/openarena_maps.h', 'tests/full/full_contact.cpp', 'tests/brush/unprotected_world.h',
                            'tests/full/family_run.h', 'tests/full/options.h'] + JUDGE_CUT, 'test', contact, 'full_contact'),
     # All in one chunk: three edges, ordered and in three random orders.
     Claim('cube_grid', 'grids of 10 x 10 x 10 cubes filled one by one and carved again: nothing is left, none refused', 12, 12, 'grids',
           CARVE_SOURCES + ['tests/full/full_cube_grid.cpp', 'tests/full/options.h'] + reference('judge_cube_grid') + JUDGE_CUT, 'test', cube_grid,
           'full_cube_grid'),
     Claim('depot_craters', 'random craters in the depot, one after the other, none refused, volumes equal to 1e-12', 10_000, 10_000, 'craters',
-          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_long_cuts.cpp', 'tests/brush/unprotected_world.h', 'tests/full/options.h'],
+          CARVE_SOURCES + OF_BRUSHES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_long_cuts.cpp', 'tests/brush/unprotected_world.h', 'tests/full/options.h'],
           'test', long_cuts('craters'), 'full_long_cuts'),
     # All in one chunk: three tools at fourteen scales, 120 cuts each.
     Claim('sweeps', 'rows of overlapping tools along a path at scales of 1 to 8192 m, none refused, volumes equal to 1e-12', 42, 42, 'rows',
@@ -268,7 +278,7 @@ CLAIMS = [
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
     Claim('long_life', 'cuts and fills in three worlds by each Split, after which casts test no more boxes and take no longer than 1.15 times those in an index built anew',
-          120_000, 120_000, 'edits', CARVE_SOURCES + ['src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_life.cpp', 'tests/full/options.h'],
+          120_000, 120_000, 'edits', CARVE_SOURCES + OF_BRUSHES + ['src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_life.cpp', 'tests/full/options.h'],
           'test', life, 'full_life'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact oracle', 1_000_000, 100_000, 'casts',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
@@ -276,14 +286,15 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
     # Seeds go through three levels, at 30 and at 60 steps a second, cut before or meanwhile.
     Claim('never_through', 'bodies thrown through the depot and two maps of OpenArena for a minute, judged in each frame: none in a wall, none lost', 12_000, 1_000, 'bodies',
-          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'src/moving', 'src/body', 'include/firma/bodies.h', 'include/firma/cast_set.h', 'include/firma/motion.h', 'include/firma/sphere_set.h',
-                           'include/firma/turn.h', 'levels/depot.map', 'tests/full/full_bodies.cpp', 'tests/full/options.h'] + reference('judge_bodies', 'rooms_outside'),
+          CARVE_SOURCES + OF_BRUSHES + public('bodies', 'cast_set', 'part_edits', 'pierce', 'projectiles', 'sphere_set')
+          + ['scenes', 'src/join', 'src/brush', 'src/moving', 'src/body', 'levels/depot.map', 'tests/full/full_bodies.cpp', 'tests/full/options.h'] + reference('judge_bodies', 'rooms_outside'),
           'test', bodies, 'full_bodies'),
     # Seeds go through three levels and three shapes, at 30 and at 60 frames a second.
     Claim('player_walks', 'frames of players with random wishes in the depot and two maps of OpenArena, blasted, filled, undone and shut around them: never in solid, out of the level, held, or too fast',
           1_080_000, 60_000, 'frames',
-          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'src/moving', 'src/player', 'src/body/cast_set.cpp', 'include/firma/players.h', 'include/firma/cast_set.h', 'include/firma/motion.h', 'include/firma/moving_parts.h', 'include/firma/sphere_set.h',
-                           'include/firma/turn.h', 'levels/depot.map', 'tests/full/full_players.cpp', 'tests/full/options.h', 'tests/player/player_shapes.h'] + reference('judge_players', 'rooms_outside'),
+          CARVE_SOURCES + OF_BRUSHES + public('cast_set', 'part_edits', 'players', 'sphere_set')
+          + ['scenes', 'src/join', 'src/brush', 'src/moving', 'src/player', 'src/body/cast_set.cpp', 'levels/depot.map', 'tests/full/full_players.cpp', 'tests/full/options.h',
+             'tests/player/player_shapes.h'] + reference('judge_players', 'rooms_outside'),
           'test', players, 'full_players'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),
@@ -309,8 +320,8 @@ CLAIMS = [
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     Claim('blasts', 'blasts in the depot, maps of OpenArena and buildings on grids, a third of the doors closed, each judged by all that must hold of rooms', 10_000,
-          2_000, 'blasts', CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush', 'levels/depot.map',
-                                            'tests/openarena_maps.h', 'tests/full/full_blasts.cpp', 'tests/full/family_run.h', 'tests/full/options.h']
+          2_000, 'blasts', CARVE_SOURCES + OF_BRUSHES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map',
+                                                         'tests/openarena_maps.h', 'tests/full/full_blasts.cpp', 'tests/full/family_run.h', 'tests/full/options.h']
           + JUDGE_CUT + reference('judge_blast', 'judge_chunks'), 'test', blasts, 'full_blasts'),
     Claim('region_repair', 'commands in the depot, a map and buildings, a hundredth of them lost by one peer, which regions repair: the same world, solid and hashes, and edits go on alike',
           10_000, 2_000, 'commands', LOG_SOURCES, 'test', logs('repair'), 'full_logs'),

@@ -103,7 +103,7 @@ TEST_P(MotionInLevels, AStackOfTenStandsForAMinute) {
     run(bodies, level().world, 3600, kept_awake());
     for (std::size_t k = 0; k < bodies.slots.size(); ++k) {
         EXPECT_LT(length(bodies.slots[k].position - start.slots[k].position), 0.005) << k;
-        // A tenth of what counts as still: boxes so small sway for a while.
+        // A tenth of what counts as still. How slow stacks on flat ground become: Motion.SmallStacksDoNotSway.
         EXPECT_LT(length(bodies.slots[k].velocity), 0.005) << k;
     }
 }
