@@ -30,7 +30,7 @@ LAYERS = [
 # Layers that may not include all that stands below them: gltf reads a file and leaves the rest to level, pictures show what every user can ask for.
 ONLY = {'gltf': ['include/firma', 'src/level'], 'draw': ['include/firma']}
 # Public headers that speak of worlds: nothing below src/world includes them.
-OF_WORLDS = ['blast.h', 'bodies.h', 'break_parts.h', 'brush_parts.h', 'brush_world.h', 'carve.h', 'cast_set.h', 'debris.h', 'edit_log.h', 'fracture.h', 'game.h', 'moving_parts.h', 'part_edits.h', 'pierce.h', 'players.h', 'projectiles.h', 'recording.h', 'rooms.h', 'save.h', 'support.h', 'versions.h', 'world.h', 'world_patch.h']
+OF_WORLDS = ['blast.h', 'bodies.h', 'body_index.h', 'break_parts.h', 'brush_parts.h', 'brush_world.h', 'carve.h', 'cast_set.h', 'debris.h', 'edit_log.h', 'fracture.h', 'game.h', 'moving_parts.h', 'part_edits.h', 'pierce.h', 'players.h', 'projectiles.h', 'recording.h', 'rooms.h', 'save.h', 'support.h', 'versions.h', 'world.h', 'world_patch.h']
 WORLD = next(height for height, layers in enumerate(LAYERS) if 'src/world' in layers)
 SEARCHED = ['include', 'src', '', 'bench', 'tests']  # where the compiler looks for a quoted include
 SOURCES = ('.h', '.cpp', '.c')

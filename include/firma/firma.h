@@ -5,6 +5,7 @@
 #include "firma/batch.h"
 #include "firma/blast.h"
 #include "firma/bodies.h"
+#include "firma/body_index.h"
 #include "firma/break_parts.h"
 #include "firma/brush_level.h"
 #include "firma/brush_parts.h"

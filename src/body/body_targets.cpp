@@ -2,31 +2,16 @@
 // Rays against bodies.
 #include "body/body_targets.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "body/body_shape.h"
 #include "body/mover.h"
-#include "geometry/rounding.h"
+#include "body/target_box.h"
 #include "index/sweep_box.h"
 #include "world/sweep_world.h"
 
 namespace firma {
 namespace {
-
-/// Bodies may be twice as far out as the rim of the world, as projectiles may.
-constexpr double kTargetSteps = kSurfaceSteps / 2;
-
-/// In whole steps, outward; cut off where no projectile flies.
-GridBox grid_box_around(const Vec3& centre, double reach) {
-    const auto step = [](double at) { return std::int32_t(std::clamp(at, double(INT32_MIN), double(INT32_MAX))); };
-    GridBox box;
-    for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = step(std::floor((centre[axis] - reach) * kTargetSteps) - 1);
-        box.high[axis] = step(std::ceil((centre[axis] + reach) * kTargetSteps) + 1);
-    }
-    return box;
-}
 
 /// The least t in [0, 1] at which |w + t d| is at most r and falls; beyond 1 if there is none.
 double first_in_ball(const Vec3& w, const Vec3& d, double r) {
@@ -45,7 +30,7 @@ BodyTargets::BodyTargets(const Bodies& bodies) {
         const Body& body = bodies.slots[slot];
         if (!body.shape.valid() || !is_finite(body.position)) continue;
         targets_.push_back({body.position, matrix_of(principal_rotation(body)), &body, slot});
-        boxes.push_back(grid_box_around(body.position, body.shape.reach() * (1 + rounding(64))));
+        boxes.push_back(target_box(body.position, body.shape.reach()));
     }
     tree_ = BoxTree(boxes);
 }
