@@ -57,7 +57,8 @@ bool player_fits(const Scene& scene, const PlayerShape& shape, const Vec3& posit
     if (!shape.valid() || !is_finite(position)) return false;
     const Scene there{scene.world, scene.parts, scene.from, scene.from};
     const PostureIn posture(there, shape.data(), crouched, mask, 0);
-    return posture.where(position).where == Where::kAir && !(posture.deepest(position).depth > kTouching);
+    return posture.where(position).where == Where::kAir && posture.part_around(position) == kNoPart &&
+           !(posture.deepest(position).depth > kTouching);
 }
 
 }  // namespace firma

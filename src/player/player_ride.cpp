@@ -73,7 +73,7 @@ void PlayerTick::carry(double before, double after) {
 void PlayerTick::give_way() {
     for (int k = 0; k < kMaxPushes; ++k) {
         const PartOverlap overlap = posture_.deepest_of_parts(player_.position);
-        if (!(overlap.depth > kPressed)) return;
+        if (!(overlap.depth > kPressed)) break;
         const Vec3 path = overlap.direction * (overlap.depth + offset_);
         const PartHit hit = posture_.sweep(player_.position, path);
         player_.position += path * hit.safe_fraction;
@@ -82,7 +82,11 @@ void PlayerTick::give_way() {
         if (hit.safe_fraction < kHeldBack) break;
     }
     const PartOverlap left = posture_.deepest_of_parts(player_.position);
-    if (left.depth > kPressed) move_.crushed_by = left.part;
+    const std::uint32_t around = posture_.part_around(player_.position);
+    if (left.depth > kPressed)
+        move_.crushed_by = left.part;
+    else if (around != kNoPart)
+        move_.crushed_by = around;
 }
 
 }  // namespace firma

@@ -216,4 +216,18 @@ Location PostureIn::where(const Vec3& feet) const {
     return locate(scene_->world, feet + posture_->middle);
 }
 
+std::uint32_t PostureIn::part_around(const Vec3& feet) const {
+    for (std::size_t k = 0; k < scene_->parts.size(); ++k) {
+        const MovingPart& part = scene_->parts[k];
+        if (!(part.mask & options_.mask)) continue;
+        const Vec3 middle = PartFrame(part.motion, scene_->from).in(feet + posture_->middle);
+        bool in_bounds = true;
+        for (int axis = 0; axis < 3; ++axis)
+            in_bounds =
+                in_bounds && part.bounds().low[axis] <= middle[axis] && middle[axis] <= part.bounds().high[axis];
+        if (in_bounds && locate(part.world(), middle).where == Where::kSolid) return std::uint32_t(k);
+    }
+    return kNoPart;
+}
+
 }  // namespace firma

@@ -50,7 +50,9 @@ public:
     PartOverlap deepest_of_parts(const Vec3& feet) const {
         return deepest_where(feet, [](const PartOverlap& overlap) { return overlap.part != kNoPart; });
     }
-    Location where(const Vec3& feet) const;  ///< of its middle
+    Location where(const Vec3& feet) const;  ///< of its middle, in the level
+    /// The first part whose solid its middle lies in: there overlaps tell nothing, as all faces are behind.
+    std::uint32_t part_around(const Vec3& feet) const;
 
 private:
     /// Of faces that can be met from where its middle is: of one-sided ones not from behind, as for casts.

@@ -34,7 +34,7 @@ public:
 
     bool may_be(const Vec3& feet) const {
         const Location at = posture_.where(feet);
-        if (at.where != Where::kAir || posture_.overlaps(feet)) return false;
+        if (at.where != Where::kAir || posture_.overlaps(feet) || posture_.part_around(feet) != kNoPart) return false;
         return may_be_outside_ || !room_info(world_, at.room)->exterior;
     }
 
@@ -47,7 +47,7 @@ private:
 }  // namespace
 
 bool is_free(const PostureIn& posture, const Vec3& feet) {
-    return posture.where(feet).where == Where::kAir && !posture.overlaps(feet);
+    return posture.where(feet).where == Where::kAir && !posture.overlaps(feet) && posture.part_around(feet) == kNoPart;
 }
 
 std::optional<Vec3> way_out(const World& world, const PostureIn& posture, const PlayerShapeData& shape,

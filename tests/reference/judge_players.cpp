@@ -12,6 +12,7 @@
 #include "player/player_shape.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
+#include "tests/reference/parts_near.h"
 #include "tests/reference/rooms_outside.h"
 
 namespace firma::reference {
@@ -20,10 +21,12 @@ namespace {
 constexpr std::size_t kMaxPast = 8;    // worlds that may come back
 constexpr double kEveryEvent = 2;      // seconds between changes of the world, about
 constexpr double kEveryLife = 30;      // seconds after which the player begins elsewhere, about
+constexpr double kEveryParts = 5;      // seconds after which the lift and the leaf are hung up anew, about
 constexpr double kNear = 6;            // metres: changes are made around the player
 constexpr double kFreeWay = 0.1;       // metres
 constexpr double kMostPushed = 0.012;  // metres: eight slides that back off by the contact offset each, and four more
 constexpr double kFastest = 10;        // metres a second that are wished
+constexpr int kRings = 10, kOnRing = 50;  // places that are tried where a player is stuck
 
 class PlayerGame {
 public:
@@ -42,6 +45,7 @@ public:
         for (; verdict_.frames < run_.frames && verdict_.fault.empty(); ++verdict_.frames) {
             if (rng_.chance(1 / (kEveryEvent * run_.rate))) change_world();
             if (rng_.chance(1 / (kEveryLife * run_.rate))) begin_somewhere();
+            if (rng_.chance(1 / (kEveryParts * run_.rate))) hang_parts();
             if (rng_.chance(1 / run_.rate)) wish_anew();
             move();
             if (verdict_.frames % 60 == 59 && verdict_.fault.empty() && !player_.stuck) try_ways();
@@ -65,6 +69,7 @@ private:
     void begin_somewhere() {
         player_ = {};
         for (;;) {
+            parts_.remove();
             const LevelFace& face = walls_.faces[rng_.below(std::uint32_t(walls_.faces.size()))];
             const auto corner = [&](std::uint32_t k) {
                 return to_metres(walls_.vertices[walls_.corners[face.first_corner + k]]);
@@ -72,8 +77,17 @@ private:
             const Vec3 a = corner(0), b = corner(1), c = corner(2), out = cross(b - a, c - a);
             const double i = rng_.uniform(0, 1), j = rng_.uniform(0, 1 - i), far = rng_.uniform(0.1, 2);
             player_.position = a + (b - a) * i + (c - a) * j + out * (far / length(out));
-            if (is_inside(player_.position) && player_fits(world_, shape_, player_.position)) return;
+            if (!is_inside(player_.position)) continue;
+            parts_.put(world_, player_.position, rng_);
+            if (player_fits(now(), shape_, player_.position)) return;
         }
+    }
+
+    /// Where it is by now, if there is room for it among them.
+    void hang_parts() {
+        if (player_.stuck || crushed_ || player_.ground_part != kNoPart) return;
+        parts_.put(world_, player_.position, rng_);
+        if (!player_fits(now(), shape_, player_.position, player_.crouched)) parts_.remove();
     }
 
     void wish_anew() {
@@ -144,8 +158,10 @@ private:
 
     void move() {
         const Player before = player_;
+        parts_.go_on(1 / run_.rate);
+        const Scene scene{world_, parts_.moving()};
         const std::clock_t start = std::clock();
-        const PlayerMove moved = move_player(world_, shape_, before, wish_, 1 / run_.rate, rules_);
+        const PlayerMove moved = move_player(scene, shape_, before, wish_, 1 / run_.rate, rules_);
         verdict_.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
         player_ = moved.player;
         verdict_.jumps += moved.jumped;
@@ -156,11 +172,16 @@ private:
         if (player_.stuck) {
             verdict_.stuck += !before.stuck;
             if (!(player_.position == before.position)) fail("stuck and moved");
+            if (!before.stuck) look_for_free_places(scene);
             return;
         }
+        crushed_ = moved.crushed_by != kNoPart;
+        verdict_.ridden += player_.ground_part != kNoPart;
+        verdict_.shoved += moved.pushed_by != kNoPart;
+        verdict_.crushed += crushed_;
         if (!is_inside(player_.position)) return fail("out of the level, or in solid");
-        if (overlaps_solid()) return fail("overlaps");
-        const Vec3 way = player_.position - before.position - moved.pushed;
+        if (const std::string what = overlapped(); !what.empty()) return fail("overlaps " + what);
+        const Vec3 way = player_.position - before.position - moved.pushed - moved.carried;
         const double far = std::hypot(way.x, way.y);
         verdict_.travelled += far;
         // What is moved out of what came may have to come down again.
@@ -170,6 +191,10 @@ private:
             had = length(before.velocity) + (rules_.gravity + rules_.air_acceleration) / run_.rate;
             if (moved.jumped) had += rules_.jump_speed;
         }
+        if (before.ground_part != kNoPart && (!walked || player_.ground_part != before.ground_part)) {
+            const RigidMotion& motion = scene.parts[before.ground_part].motion;  // whose speed it keeps
+            had += length(before.ground_velocity) + length(velocity_at(motion, 1, player_.position)) * run_.rate;
+        }
         const double asked = std::max(std::hypot(wish_.velocity.x, wish_.velocity.y), had) / run_.rate;
         const bool same_world = !before.stuck && before.world_hash == player_.world_hash;
         if (same_world && length(moved.pushed) > kMostPushed)
@@ -178,36 +203,62 @@ private:
             fail("went " + std::to_string(far) + " m sideways where " + std::to_string(asked) + " were asked");
     }
 
-    /// Deeper than rounding, in front of it. What is castable only is left by the way it was come upon: from behind.
-    bool overlaps_solid() const {
+    /// The parts standing where they have come to.
+    Scene now() const { return {world_, parts_.standing()}; }
+
+    /// Whether a stuck one has room: the nearest of places all around it, as far as it may be moved, that is free.
+    void look_for_free_places(const Scene& scene) {
+        constexpr double kGolden = 2.399963229728653;  // radians
+        for (int ring = 1; ring <= kRings; ++ring)
+            for (int k = 0; k < kOnRing; ++k) {
+                const double z = 1 - (2 * k + 1.0) / kOnRing;
+                const SineCosine turn = sine_cosine(kGolden * k);
+                const Vec3 way = Vec3{turn.cosine, turn.sine, 0} * std::sqrt(1 - z * z) + Vec3{0, 0, z};
+                const double far = rules_.max_push * ring / kRings;
+                const Vec3 place = player_.position + way * far;
+                if (is_inside(place) && player_fits(scene, shape_, place, player_.crouched))
+                    return verdict_.missed.push_back(far);
+            }
+    }
+
+    /// Deeper than rounding, in front of it; of parts too, but where they crush it. What is castable only is left by
+    /// the way it was come upon: from behind.
+    std::string overlapped() const {
         constexpr double kRounding = 1e-9;  // metres
         const Posture& posture = shape_.data().postures[player_.crouched];
         const Vec3 feet = player_.position, middle = feet + posture.middle;
-        bool any = false;
-        const auto look = [&](const Overlap& overlap) {
+        std::string what;
+        const auto look = [&](const PartOverlap& overlap) {
+            if (overlap.part != kNoPart) {
+                if (!crushed_ && overlap.depth > kRounding)
+                    what =
+                        "part " + std::to_string(overlap.part) + " by " + std::to_string(overlap.depth * 1e6) + " um";
+                return true;
+            }
             const std::optional<FaceInfo> face = world_.face_info(overlap.face);
             const bool in_front = !face || dot(middle - overlap.point, face->normal) > 0;
-            any |= (!face || face->solid) && in_front && overlap.depth > kRounding;
+            if ((!face || face->solid) && in_front && overlap.depth > kRounding)
+                what = "the level by " + std::to_string(overlap.depth * 1e6) + " um";
             return true;
         };
         const Capsule& capsule = posture.capsule;
         switch (shape_.data().kind) {
             case PlayerShapeData::Kind::kCapsule:
-                overlap_each(world_, Capsule{capsule.from + feet, capsule.to + feet, capsule.radius}, look);
+                overlap_each(now(), Capsule{capsule.from + feet, capsule.to + feet, capsule.radius}, look);
                 break;
             case PlayerShapeData::Kind::kBox:
-                overlap_each(world_, posture.box, middle, look);
+                overlap_each(now(), posture.box, middle, look);
                 break;
             case PlayerShapeData::Kind::kSpheres:
                 for (const Sphere& sphere : posture.spheres)
-                    overlap_each(world_, Sphere{sphere.centre + feet, sphere.radius}, look);
+                    overlap_each(now(), Sphere{sphere.centre + feet, sphere.radius}, look);
         }
-        return any;
+        return what;
     }
 
     /// Where a way is free for a bit, a second of walking leads there, or somewhere.
     void try_ways() {
-        if (!player_.on_ground) return;
+        if (!player_.on_ground || crushed_) return;
         const Vec3 raised = player_.position + shape_.up() * (2 * world_.tolerance().contact_offset);
         Vec3 way = rng_.direction();
         way.z = 0;
@@ -216,7 +267,7 @@ private:
         Player walker = player_;
         for (const Vec3& step : {way * kFreeWay}) {
             walker.position = raised + step;
-            if (!player_fits(world_, shape_, walker.position, walker.crouched)) return;
+            if (!player_fits(now(), shape_, walker.position, walker.crouched)) return;
             if (cast_free(raised, step) < 1) return;
         }
         ++verdict_.tried;
@@ -226,7 +277,7 @@ private:
             PlayerWish wish;
             wish.velocity = way * 2;
             wish.crouch = player_.crouched;
-            walker = move_player(world_, shape_, walker, wish, 1 / run_.rate, rules_).player;
+            walker = move_player(now(), shape_, walker, wish, 1 / run_.rate, rules_).player;
             farthest = std::max(farthest, length(walker.position - player_.position));
         }
         if (farthest < kFreeWay * 0.5)
@@ -235,7 +286,7 @@ private:
 
     double cast_free(const Vec3& feet, const Vec3& path) const {
         for (int k = 1; k <= 16; ++k)
-            if (!player_fits(world_, shape_, feet + path * (k / 16.0), player_.crouched)) return 0;
+            if (!player_fits(now(), shape_, feet + path * (k / 16.0), player_.crouched)) return 0;
         return 1;
     }
 
@@ -248,8 +299,10 @@ private:
     Level walls_;
     std::vector<bool> outside_;
     std::deque<World> past_;
+    PartsNear parts_;
     Player player_;
     PlayerWish wish_;
+    bool crushed_ = false;  // by a part, in the last move
     PlayerVerdict verdict_;
 };
 

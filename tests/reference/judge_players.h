@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Players with random wishes in a level that is blasted, filled, undone and shut around them: never in solid, never out
-// of the level, never faster than they may be, never held where there is room.
+// Players with random wishes in a level that is blasted, filled, undone and shut around them, on a lift and beside a
+// leaf that swings: never in solid, never out of the level, never faster than they may be, never held where there is
+// room. A stuck one is looked around: where a place is free that no way out was found to is counted.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "firma/players.h"
 
@@ -21,10 +23,12 @@ struct PlayerVerdict {
     std::uint64_t frames = 0;
     std::size_t cuts = 0, fills = 0, undone = 0, doors = 0;      ///< what was done to the world
     std::size_t jumps = 0, steps = 0, landings = 0, pushed = 0;  ///< what the player did
+    std::size_t ridden = 0, shoved = 0, crushed = 0;             ///< moves on a part, pushed by one, pressed by one
     std::size_t stuck = 0;                                       ///< times that there was no way out
-    std::size_t tried = 0;                                       ///< places where all ways were tried
-    double travelled = 0;                                        ///< metres
-    double seconds = 0;                                          ///< of the processor, in move_player() alone
+    std::vector<double> missed;  ///< metres: of these, where one of 500 places within reach was free, how near it was
+    std::size_t tried = 0;       ///< places where all ways were tried
+    double travelled = 0;        ///< metres
+    double seconds = 0;          ///< of the processor, in move_player() alone
 };
 
 /// @param level  with rooms that are not outside (judge_bodies.h); in these the player begins, and stays
