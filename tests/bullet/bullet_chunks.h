@@ -10,15 +10,9 @@
 #include "firma/chunk.h"
 #include "firma/convex_pieces.h"
 #include "firma/world.h"
+#include "tests/bullet/bullet_vector.h"
 
 namespace firma::test {
-
-inline btVector3 bullet_vector(const Vec3& v) {
-    return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
-}
-inline Vec3 our_vector(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
 
 /// Metres: bodies rest so far apart, and are pushed out while they are nearer.
 inline constexpr double kBulletMargin = 0.01;
