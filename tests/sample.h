@@ -15,17 +15,17 @@
 
 namespace firma::test {
 
-/// How many of a sample a test looks at. Under the sanitizers, where all takes ten times as long, a fifth: what they
-/// look for is in every part, and all of it is looked at without them in the same run.
+/// How many of a sample a test looks at. Under the sanitizers, where all takes ten times as long, and on Windows, which
+/// wine runs, a fifth: what they look for is in every part, and all of it is looked at without them in the same run.
 constexpr int sample(int count) {
-#if defined(FIRMA_SANITIZED)
+#if defined(FIRMA_SANITIZED) || defined(_WIN32)
     return count / 5;
 #else
     return count;
 #endif
 }
 
-/// Every fifth of these under the sanitizers, the first among them.
+/// Every fifth of these where sample() gives a fifth, the first among them.
 template <typename T>
 std::vector<T> sampled(std::vector<T> all) {
     const std::size_t step = std::size_t(5 / sample(5));

@@ -79,13 +79,13 @@ echo "without the headers of Boost, fast_float, Highway: told which, and Debian'
 
 # ---- results
 
-configure unity -DCMAKE_UNITY_BUILD=ON -DFIRMA_SIMD=OFF
+configure unity -DCMAKE_UNITY_BUILD=ON -DFIRMA_SIMD=OFF -DCMAKE_BUILD_TYPE=Debug
 quietly cmake --build unity
 must_print "add_subdirectory, unity build, no SIMD, C++" unity/crater_cpp first.obj saved.firma
 must_print "add_subdirectory, unity build, no SIMD, C" unity/crater_c first.obj saved.firma
 [ -f unity/libplugin.so ] || fail "no library could be made over the static one"
 
-configure fetched -DFETCH=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug \
+configure fetched -DFETCH=ON -DBUILD_SHARED_LIBS=ON -DFIRMA_UNITE=ON -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_C_COMPILER=clang-19 -DCMAKE_CXX_COMPILER=clang++-19
 quietly cmake --build fetched
 must_print "FetchContent, shared, clang 19, C++" fetched/crater_cpp first.obj saved.firma
