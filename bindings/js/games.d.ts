@@ -95,7 +95,8 @@ export interface Games extends Firma {
     /**
      * Moves a player by one tick, among parts that go along the scene's stretch of their motions meanwhile: part k has to
      * be the same one from tick to tick. Nothing is kept between calls, and `player` stays as it is. Costs two to four
-     * casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked for.
+     * casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked for, and some
+     * thousand, milliseconds, where none is near, in the first move in a world alone.
      * @param player what the move before gave; of the first one only its position has to be said
      * @param wish what is wished of it for this tick; none: to stand
      * @param seconds 0 to 1

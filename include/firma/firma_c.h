@@ -1269,7 +1269,7 @@ typedef struct firma_player_move {
  * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
  * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
  * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is
- * looked for. */
+ * looked for, and some thousand, milliseconds, where none is near, in the first move in a world alone. */
 FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
                                        const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
                                        firma_player_move* move);
