@@ -36,7 +36,8 @@ const char* const kScriptHelp =
               "stops": [{"position": [8, 9, 0], "seconds": 1}, {"position": [10, 9, 0], "wait": 2, "seconds": 1}]}],
    "weapons": [{"name": "rocket", "charge": {"crater": 1.5}}], "rules": {"max_bodies": 300}, "seed": 1}
 Weapons that are there: bullet, rocket, grenade. Parts of the level (func_door and its like) are there by the names
-part_0, part_1, ...; `part` sets one off that waits.
+part_0, part_1, ..., nodes of glTF that are parts by their own; `part` sets one off that waits. Of one of these "parts"
+says another way to go, without a box: its stops are told from where it stands.
 )";
 
 namespace {

@@ -108,7 +108,8 @@ void load_gltf(const LevelArguments& arguments, const WorldOptions& options, Loa
     const auto built = std::chrono::steady_clock::now();
     loaded.world = take(make_world(read, options, &gltf.rooms));
     loaded.build_seconds = seconds_since(built);
-    gltf.nodes = read.nodes.size();
+    gltf.nodes = std::move(read.nodes);
+    gltf.parts = std::move(read.parts);
     gltf.portals = std::move(read.portals);
     gltf.notes = std::move(read.notes);
     loaded.level = std::move(read.level);

@@ -47,7 +47,8 @@ struct LoadedBrushes {
 
 /// What a .gltf or .glb has beside its faces.
 struct LoadedGltf {
-    std::size_t nodes = 0;
+    std::vector<GltfNode> nodes;
+    std::vector<GltfPart> parts;
     std::vector<GltfPortal> portals;
     GltfRooms rooms;
     std::vector<std::string> notes;

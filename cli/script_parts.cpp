@@ -131,20 +131,33 @@ PartPath path_of(JsonFields& fields) {
     return path;
 }
 
+/// Another way to go for a part that is there: of the level, or of a saved game.
+void drive_anew(JsonFields& fields, std::size_t index, GameState& game) {
+    PartDrive drive = drive_of(fields, part_pose(game.drives[index].path, 0));
+    add_part(game, game.parts[index], std::move(drive));  // puts it where it goes, and finds the portals that it closes
+    std::swap(game.parts[index], game.parts.back());
+    std::swap(game.drives[index], game.drives.back());
+    game.parts.pop_back();
+    game.drives.pop_back();
+}
+
 void add_part_of(const Json& json, const std::string& place, GameState& game) {
     JsonFields fields(json, place);
     const std::string name = fields.text("name", std::nullopt);
-    for (const MovingPart& part : game.parts)
-        if (part.name == name) fields.fail("name", "there is a part '" + name + "' already");
+    const auto known =
+        std::find_if(game.parts.begin(), game.parts.end(), [&](const MovingPart& part) { return part.name == name; });
+    if (known != game.parts.end()) {
+        if (fields.has("box")) fields.fail("name", "there is a part '" + name + "' already");
+        drive_anew(fields, std::size_t(known - game.parts.begin()), game);
+        fields.finish();
+        return;
+    }
     const std::string material = fields.text("material", "steel");
     if (material.find_first_of("\r\n") != std::string::npos) fields.fail("material", "has a line end in it");
     const Box box = box_of(fields.at("box"), fields.place_of("box"));
     MovingPart part(world_of_box(box, material, fields.place_of("box")));
     part.name = name;
-    PartDrive drive;
-    drive.path = path_of(fields);
-    drive.waits = fields.flag("waits", !drive.path.stops.empty());
-    drive.when_blocked = when_blocked_of(fields);
+    PartDrive drive = drive_of(fields, {});
     fields.finish();
     add_part(game, std::move(part), std::move(drive));
 }
@@ -175,6 +188,18 @@ void set_rules(const Json* json, const std::string& place, GameRules& rules) {
 }
 
 }  // namespace
+
+PartDrive drive_of(JsonFields& fields, const Pose& stands) {
+    PartDrive drive;
+    drive.path = path_of(fields);
+    drive.waits = fields.flag("waits", !drive.path.stops.empty());
+    drive.when_blocked = when_blocked_of(fields);
+    drive.path.rotation = stands.rotation;
+    if (stands.position == Vec3{}) return drive;
+    if (drive.path.stops.empty()) drive.path.stops.emplace_back();
+    for (PartStop& stop : drive.path.stops) stop.position += stands.position;
+    return drive;
+}
 
 Charge charge_of(JsonFields& fields, const Charge& otherwise) {
     Charge charge = otherwise;

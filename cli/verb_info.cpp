@@ -47,7 +47,7 @@ told apart by what they are made of, how many of them may not be carved, and nam
 entities that move; what, how many, and the place of the first, or "". Other verbs warn of it on stderr. A level of
 which no face is left is bad input.
 
-Of glTF --json has in addition: gltf {nodes, portals [{name, polygons, idle}], undivided or null, notes [texts]}; faces in
+Of glTF --json has in addition: gltf {nodes, parts [{name, node, faces}], portals [{name, polygons, idle}], undivided or null, notes [texts]}; faces in
 the file are its triangles, without those of portals. An idle portal, or a part of it, has one room on both sides;
 `undivided` is why there is one room though the file has portals.
 
@@ -123,7 +123,11 @@ Json gltf_json(const LoadedGltf& gltf) {
         portals.push_back({{"name", gltf.portals[k].name},
                            {"polygons", gltf.portals[k].polygons.size()},
                            {"idle", std::find(idle.begin(), idle.end(), k) != idle.end()}});
-    return {{"nodes", gltf.nodes},
+    Json parts = Json::array();
+    for (const GltfPart& part : gltf.parts)
+        parts.push_back({{"name", part.name}, {"node", part.node}, {"faces", part.level.faces.size()}});
+    return {{"nodes", gltf.nodes.size()},
+            {"parts", parts},
             {"portals", std::move(portals)},
             {"undivided", gltf.rooms.undivided.empty() ? Json() : Json(gltf.rooms.undivided)},
             {"notes", gltf.notes}};
@@ -188,7 +192,9 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
     row("left out", left_out_text(left_out(loaded)));
     if (loaded.gltf) {
-        row("nodes", grouped(loaded.gltf->nodes));
+        row("nodes", grouped(loaded.gltf->nodes.size()));
+        if (const std::size_t parts = loaded.gltf->parts.size(); parts > 0)
+            row("parts that move", grouped(parts) + ", whose faces are not counted");
         if (const std::size_t portals = loaded.gltf->portals.size(); portals > 0)
             row("portals in file", grouped(portals) + use_of(*loaded.gltf));
         for (const std::string& note : loaded.gltf->notes) row("note", note);

@@ -22,10 +22,10 @@
 #include "cli/game_file.h"
 #include "cli/game_script.h"
 #include "cli/json.h"
+#include "cli/level_parts.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
 #include "cli/progress.h"
-#include "firma/brush_parts.h"
 #include "firma/recording.h"
 
 namespace firma::cli {
@@ -77,20 +77,6 @@ struct GameTally {
     }
 };
 
-void add_brush_parts(const BrushLevel& level, GameState& game) {
-    const BrushParts parts = take(make_brush_parts(level));
-    for (const BrushPart& part : parts.parts) {
-        MovingPart moving(part.world);
-        moving.name = "part_" + std::to_string(game.parts.size());
-        moving.entity = part.entity;
-        PartDrive drive;
-        drive.path = part.path;
-        drive.waits = part.waits_for_trigger;
-        drive.when_blocked = part.when_blocked;
-        add_part(game, std::move(moving), std::move(drive));
-    }
-}
-
 std::uint32_t rate_of(const SimulateArguments& arguments) {
     return arguments.rate.empty() ? 60
                                   : std::uint32_t(count_option("--hz", arguments.rate, kMinTickRate, kMaxTickRate));
@@ -108,7 +94,7 @@ GameState game_of(const SimulateArguments& arguments) {
     LoadedLevel loaded = load_level(arguments.level);
     loaded.world = with_usual_anchors(anchored(loaded, arguments.anchors));
     GameState game = begin_game(loaded.world, rate_of(arguments));
-    if (loaded.brushes) add_brush_parts(loaded.brushes->level, game);
+    add_level_parts(arguments.level, loaded, game);
     return game;
 }
 

@@ -125,9 +125,12 @@ private:
         }
         Level level = maker.builder_.finish(maker.sources_, maker.ignored_, {});
         level.matters = std::move(maker.matters_);
-        made_.parts.push_back(
-            {file_.model.nodes[part.named].name, part.index, frame.position, frame.rotation(), std::move(level)});
+        made_.parts.push_back({name_of(part), part.index, frame.position, frame.rotation(), std::move(level)});
         return std::nullopt;
+    }
+
+    std::string name_of(const SceneNode& node) const {
+        return node.named == gltf::kNoNode ? std::string() : file_.model.nodes[node.named].name;
     }
 
     void add_portal(const SceneNode& node) {
@@ -137,7 +140,7 @@ private:
             ++empty_portals_;
             return;
         }
-        made_.portals.push_back({file_.model.nodes[node.named].name, node.index, std::move(polygons)});
+        made_.portals.push_back({name_of(node), node.index, std::move(polygons)});
     }
 
     std::optional<Error> add_primitive(const tinygltf::Primitive& primitive) {

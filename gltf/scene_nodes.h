@@ -19,8 +19,8 @@ struct SceneNode {
     Placement placement;  ///< to the level's metres
     bool portal = false;
     std::uint32_t mask = ~0u;
-    std::uint32_t part = kNoNode;  ///< the node itself, or the nearest above, that is a part; kNoNode: of the level
-    std::uint32_t named = 0;       ///< the node itself, or the nearest above that has a name
+    std::uint32_t part = kNoNode;   ///< the node itself, or the nearest above, that is a part; kNoNode: of the level
+    std::uint32_t named = kNoNode;  ///< the node itself, or the nearest above that has a name; kNoNode: none has
 };
 
 /// Of the default scene, else the first, else all nodes; a parent before its children, in the file's order.

@@ -10,7 +10,7 @@ import { build } from 'esbuild';
 const here = path.dirname(fileURLToPath(import.meta.url));
 const root = path.dirname(here);
 const target = path.resolve(process.argv[2] ?? path.join(root, 'build/playground'));
-const wasm = process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma_games.wasm');
+const wasm = process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma_recordings.wasm');
 const readers = path.join(path.dirname(wasm), 'firma_readers.wasm');
 for (const one of [wasm, readers])
     if (!existsSync(one)) {
@@ -27,11 +27,11 @@ await build({
     target: 'es2022',
     minify: true,
     legalComments: 'inline', // three's licence
-    alias: { 'firma/games': process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/games.js') },
+    alias: { 'firma/recordings': process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/recordings.js') },
     logLevel: 'warning',
 });
 for (const file of ['index.html', 'playground.css']) cpSync(path.join(here, file), path.join(target, file));
-cpSync(wasm, path.join(target, 'firma_games.wasm'));
+cpSync(wasm, path.join(target, 'firma_recordings.wasm'));
 cpSync(readers, path.join(target, 'firma_readers.wasm'));
 for (const level of ['depot.map', 'first.obj']) cpSync(path.join(root, 'levels', level), path.join(target, level));
 console.log(`firma: playground in ${path.relative(process.cwd(), target) || '.'}`);

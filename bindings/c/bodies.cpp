@@ -14,6 +14,7 @@
 #include "bindings/c/numbers.h"
 #include "bindings/c/objects.h"
 #include "bindings/c/scenes.h"
+#include "bindings/c/sphere_sets.h"
 
 namespace firma::c {
 namespace {
@@ -228,10 +229,7 @@ firma_code firma_body_shape_spheres(const double* spheres, size_t count, const f
                                     firma_body_shape* shape) {
     return guarded(__func__, [&, function = __func__] {
         if (!mass || !shape || (!spheres && count)) return bad_call(function, kNull);
-        SphereSet all(std::min(count, kMaxSpheres + 1));  // one too many is refused like all that are
-        for (std::size_t k = 0; k < all.size(); ++k)
-            all[k] = {{spheres[4 * k], spheres[4 * k + 1], spheres[4 * k + 2]}, spheres[4 * k + 3]};
-        const Result<BodyShape> made = make_body_shape(all, mass_from(*mass));
+        const Result<BodyShape> made = make_body_shape(spheres_of(spheres, count), mass_from(*mass));
         if (!made) return fail(made.error());
         return give(std::make_unique<BodyShapeObject>(made.value()), shape, function);
     });
@@ -243,10 +241,7 @@ firma_code firma_body_shape_get_spheres(firma_body_shape shape, double* spheres,
         const BodyShapeObject* const object = find<BodyShapeObject>(shape.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const std::span<const Sphere> all = object->shape.spheres();
-        for (std::size_t k = 0; k < std::min(capacity, all.size()); ++k) {
-            for (int axis = 0; axis < 3; ++axis) spheres[4 * k + std::size_t(axis)] = all[k].centre[axis];
-            spheres[4 * k + 3] = all[k].radius;
-        }
+        put_spheres(all, spheres, capacity);
         *count = all.size();
         return FIRMA_OK;
     });

@@ -31,6 +31,7 @@ enum class Kind : std::uint8_t {
     kPlayerShape,
     kBodyShape,
     kBodies,
+    kBodyIndex,
     kShotEvents,
     kPiercing,
     kDebris,

@@ -33,17 +33,17 @@ firma_code SceneThere::read(const firma_scene* given, const char* function) {
     return FIRMA_OK;
 }
 
+RigidMotion motion_of(const firma_motion& from) {
+    const double(&turned)[4] = from.rotation;
+    return {vec(from.position), {turned[0], turned[1], turned[2], turned[3]}, vec(from.path), vec(from.turn)};
+}
+
 namespace {
 
 /// Whether a part can be cast against.
 bool takes_part(const MovingPart& part) {
     const Quaternion& turned = part.motion.rotation;
     return is_usable_part(part) && (turned[0] != 0 || turned[1] != 0 || turned[2] != 0 || turned[3] != 0);
-}
-
-RigidMotion motion_of(const firma_motion& from) {
-    const double(&turned)[4] = from.rotation;
-    return {vec(from.position), {turned[0], turned[1], turned[2], turned[3]}, vec(from.path), vec(from.turn)};
 }
 
 constexpr const char* kBadMotion = "a motion has a number that is not finite, no rotation, or turns by more than 8";
@@ -74,6 +74,19 @@ void put_part_near(const PartOverlap& overlap, firma_part_near& out) {
     put_overlap(overlap, out.near);
     put(overlap.surface_velocity, out.surface_velocity);
     out.part = overlap.part;
+}
+
+void put_nearest(const PartNear& nearest, firma_part_near& out) {
+    out = {};
+    put_near(nearest, out.near);
+    put(nearest.surface_velocity, out.surface_velocity);
+    out.part = nearest.part;
+}
+
+/// Whether a scene can be asked at a fraction of its stretch.
+firma_code judge_time(const SceneThere& asked, double fraction, const char* function) {
+    if (asked.has_stretch() && fraction >= 0 && fraction <= 1) return FIRMA_OK;
+    return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the fraction or the scene's stretch is not within 0..1");
 }
 
 /// What all questions of a shape that moves in a scene begin with.
@@ -212,9 +225,7 @@ firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* move
         return ask_of_scene(scene, mover, function, [&](const SceneThere& asked, const MoverThere& there) {
             NearOptions chosen;
             if (const firma_code code = read_options(options, chosen, function)) return code;
-            if (!asked.has_stretch() || !(fraction >= 0 && fraction <= 1))
-                return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                            "the fraction or the scene's stretch is not within 0..1");
+            if (const firma_code code = judge_time(asked, fraction, function)) return code;
             std::vector<PartOverlap> all;
             const auto keep = [&](const PartOverlap& overlap) {
                 all.push_back(overlap);
@@ -226,5 +237,26 @@ firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* move
             put_some(all, found, capacity, count, put_part_near);
             return FIRMA_OK;
         });
+    });
+}
+
+firma_code firma_closest_scene(const firma_scene* scene, const double point[3], double reach, double fraction,
+                               const firma_near_options* options, firma_part_near* near, uint32_t* found) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!scene || !point || !near || !found) return bad_call(function, kNull);
+        SceneThere asked;
+        if (const firma_code code = asked.read(scene, function)) return code;
+        NearOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        if (const firma_code code = judge_time(asked, fraction, function)) return code;
+        PartNear nearest;
+        nearest.status = Status::kInvalid;
+        if (reach >= 0) nearest = closest(asked.scene(), {point[0], point[1], point[2]}, reach, fraction, chosen);
+        if (nearest.status == Status::kInvalid)
+            return not_asked(*asked.world, chosen.room, "a number is not finite or too large, or the reach negative",
+                             function);
+        *found = nearest.found();
+        if (nearest.found()) put_nearest(nearest, *near);
+        return FIRMA_OK;
     });
 }

@@ -10,6 +10,7 @@
 #include "bindings/c/objects.h"
 #include "bindings/c/players_object.h"
 #include "bindings/c/scenes.h"
+#include "bindings/c/sphere_sets.h"
 
 namespace firma::c {
 namespace {
@@ -31,13 +32,6 @@ firma_code read_size(const firma_player_size* given, PlayerSize& size, const cha
     if (whole.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     size = {whole.radius, whole.height, whole.crouched_height, vec(whole.up)};
     return FIRMA_OK;
-}
-
-std::vector<Sphere> spheres_of(const double* numbers, std::size_t count) {
-    std::vector<Sphere> spheres(std::min(count, kMaxSpheres + 1));  // one too many is refused like all that are
-    for (std::size_t k = 0; k < spheres.size(); ++k)
-        spheres[k] = {{numbers[4 * k], numbers[4 * k + 1], numbers[4 * k + 2]}, numbers[4 * k + 3]};
-    return spheres;
 }
 
 firma_code judge_flags(std::initializer_list<std::uint32_t> flags, const char* function) {

@@ -81,13 +81,40 @@ firma_shot_terms terms_told(const ShotTerms& from) {
 
 namespace {
 
-/// Options, and the terms that they point to.
+firma_shot_impact impact_told(const ShotImpact& from) {
+    firma_shot_impact out{};
+    put(from.point, out.point);
+    put(from.normal, out.normal);
+    put(from.velocity, out.velocity);
+    put(from.surface, out.surface);
+    out.mass = from.mass;
+    out.projectile = from.projectile;
+    out.face = from.face.id.value;
+    put_corner(from.face, out.corner);
+    out.portal = from.portal.value;
+    out.body = {from.body.slot, from.body.use};
+    out.material = from.material;
+    out.pane = from.pane;
+    out.part = from.part;
+    return out;
+}
+
+/// Options, and the terms that they point to. It stays where it is, as the options point into it.
 struct FlyThere {
     FlyOptions options;
     std::vector<ShotTerms> matters;
+    firma_fly_options whole{};
+
+    /// FlyOptions::rule of a caller's.
+    static ShotTerms ask_rule(const ShotImpact& impact, std::uint32_t matter, void* user) {
+        const firma_fly_options& given = static_cast<const FlyThere*>(user)->whole;
+        firma_shot_terms terms = impact.body.slot == FIRMA_NO_BODY ? given.other : given.bodies;
+        const firma_shot_impact told = impact_told(impact);
+        given.rule(&told, matter, &terms, given.user);
+        return terms_of(terms);
+    }
 
     firma_code read(const firma_fly_options* given, const char* function) {
-        firma_fly_options whole;
         firma_fly_options_defaults(&whole);
         if (given && !sized(given)) return bad_call(function, kWrongSize);
         if (given) take_sized(given, whole);
@@ -105,6 +132,10 @@ struct FlyThere {
         options.other = terms_of(whole.other);
         options.bodies = terms_of(whole.bodies);
         options.matters = matters;
+        if (whole.rule) {
+            options.rule = ask_rule;
+            options.user = this;
+        }
         return FIRMA_OK;
     }
 };

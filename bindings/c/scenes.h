@@ -42,6 +42,7 @@ struct PartThere {
 /// A path as a caller has it.
 firma_code read_path(const firma_part_path* given, PartPath& path, const char* function);
 firma_motion motion_told(const RigidMotion& from);
+RigidMotion motion_of(const firma_motion& from);
 std::vector<firma_part_stop> stops_told(const PartPath& path);
 /// @param stops  of it, kept by the caller
 firma_part_path path_told(const PartPath& from, const std::vector<firma_part_stop>& stops);

@@ -16,6 +16,7 @@ import type {
     MovingShape,
     Numbers,
     Overlap,
+    PartPath,
     Pose,
     Quaternion,
     Source,
@@ -67,6 +68,15 @@ export interface Games extends Firma {
     /** An empty list of parts. */
     parts(): Parts;
     /**
+     * Where a part is at a time, its scale 1; before 0 it stands at its first stop, but for swing and spin. This and the
+     * next two cost a copy of the stops. @throws {FirmaError} OUT_OF_RANGE for a time, place or spin that is not finite
+     */
+    pathPose(path: PartPath, seconds: number): FullPose;
+    /** From one time to another, for Parts: both ends are exact, between them it goes evenly. @throws as pathPose() */
+    pathMotion(path: PartPath, from: number, to: number): Required<Motion>;
+    /** Whether it stands at its first stop: a door that is shut. */
+    pathAtFirstStop(path: PartPath, seconds: number): boolean;
+    /**
      * The first touch of a shape with the level, or with a part that moves meanwhile; of several at the same fraction the
      * level's, then that of the part with the lowest number. A path of zero is met by parts that come. Against a part that
      * turns a touch is at most 0.06 mm early. `room` of the options is of the level. Costs a cast through the level, a
@@ -95,7 +105,8 @@ export interface Games extends Firma {
     /**
      * Moves a player by one tick, among parts that go along the scene's stretch of their motions meanwhile: part k has to
      * be the same one from tick to tick. Nothing is kept between calls, and `player` stays as it is. Costs two to four
-     * casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked for.
+     * casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked for, and some
+     * thousand, milliseconds, where none is near, in the first move in a world alone.
      * @param player what the move before gave; of the first one only its position has to be said
      * @param wish what is wished of it for this tick; none: to stand
      * @param seconds 0 to 1
@@ -174,7 +185,7 @@ export interface Body extends Required<BodyState> {
     torque: Vector3;
 }
 
-/** How spheres are fitted into a chunk. */
+/** How spheres are fitted into a solid. */
 export interface FitOptions {
     /** 1 to 4,096; 64 unless given, or 0. */
     maxSpheres?: number;

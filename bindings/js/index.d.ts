@@ -324,6 +324,13 @@ export interface Level extends Handle {
      * promise: a level is only where there are readers.
      */
     world(options?: WorldOptions): World;
+    /**
+     * Its parts: of each entity that moves, or breaks, and has brushes, as plain data with a World in the part's frame, to
+     * be released: docs/moving.md says which classes and keys. In 'firma/games' games.pathMotion() of its path gives
+     * the motion of a tick, for Parts; in 'firma/recordings' all but `breakable` is a GamePart. Options and errors as of
+     * world(). Costs what joining all these brushes costs, and moving each world.
+     */
+    parts(options?: WorldOptions): LevelParts;
     /** In the file's order; the first is the world. Copies all of them each time, as do notes() and omissions(). */
     entities(): Entity[];
     /** For people: what was dropped, replaced or not understood, with its place. */
@@ -334,6 +341,82 @@ export interface Level extends Handle {
     anchorVolumes(): { low: Vector3; high: Vector3 }[];
     /** For numbers in the entities' values. */
     readonly metresPerUnit: number;
+}
+
+/** `notes`: entities that make no part, or not what their author meant, and why; numbers are those of entities(). */
+export interface LevelParts {
+    parts: LevelPart[];
+    notes: { entity: number; note: string }[];
+}
+
+export interface LevelPart {
+    /** Its solid, and what else casts meet of it, in its frame. */
+    world: World;
+    /** Its number in entities(). */
+    entity: number;
+    /** Met by what shares a bit with it, and with the face. */
+    mask: number;
+    /** Where its frame is by time. */
+    path: WholePartPath;
+    /** Its path is of the time since it is set off; else of the level's time. */
+    waits: boolean;
+    whenBlocked: WhenBlocked;
+    /** What it bears, of one that is to be destroyed; null: of the others. */
+    breakable: Breakable | null;
+}
+
+/** A place on a part's way. */
+export interface PartStop {
+    /** Of the part's frame, metres. */
+    position?: Vector;
+    /** Radians about the path's axis. */
+    angle?: number;
+    /** Seconds that it stands here; Infinity: it goes no further. */
+    wait?: number;
+    /** To the next stop, or from the last to the first; not above 0: it is there at once. */
+    seconds?: number;
+}
+
+/** How a part moves by time: stops in turn, a swing, a spin. */
+export interface PartPath {
+    stops?: readonly PartStop[];
+    /** Goes round for ever; else once round, and rests at the first stop. */
+    repeats?: boolean;
+    /** x, y, z, w, at angle 0; not turned unless given. */
+    rotation?: ArrayLike<number>;
+    /** Unit, of all angles; 0, 0, 1 unless given. */
+    axis?: Vector;
+    /** Radians a second about it. */
+    spin?: number;
+    /** Metres and radians to each side of the middle; seconds of a whole cycle, and where in it time 0 is. */
+    swing?: { reach?: Vector; angle?: number; period?: number; phase?: number };
+}
+
+export type WhenBlocked = 'stops' | 'returns' | 'crushes';
+
+/** As it comes back. */
+export interface WholePartPath extends PartPath {
+    stops: { position: Vector3; angle: number; wait: number; seconds: number }[];
+    repeats: boolean;
+    rotation: Quaternion;
+    axis: Vector3;
+    spin: number;
+    swing: { reach: Vector3; angle: number; period: number; phase: number };
+}
+
+/** What a part bears, and what is left of that. All of it has to be given. */
+export interface Breakable {
+    /** Of all of it, a number in the part's world; null: that which its textures say. */
+    matter: number | null;
+    /** What is left, by the program's measure; not above 0: nothing hurts it. */
+    health: number;
+    /** Cubic metres of its solid before anything was taken of it. */
+    whole: number;
+    /** 0..1, of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never. */
+    maxTaken: number;
+    /** Of the explosion that it makes, by the program's measure: nothing explodes by itself. */
+    damage: number;
+    broken: boolean;
 }
 
 /** Things of one kind, in the plural, how many, and the place of the first; '' where the format has none. */

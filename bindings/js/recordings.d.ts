@@ -9,7 +9,9 @@ import type {
     BodyId,
     BodyShape,
     BodyState,
+    Breakable,
     CarveOptions,
+    CastOptions,
     CarveReport,
     Chunks,
     Command,
@@ -25,7 +27,10 @@ import type {
     LoadOptions,
     Mass,
     Motion,
+    Near,
     Numbers,
+    OfPart,
+    PartPath,
     Parts,
     Player,
     PlayerLike,
@@ -41,10 +46,12 @@ import type {
     ShotEvent,
     ShotTerms,
     Source,
+    Status,
     StepOptions,
     StepReport,
     Vector,
     Vector3,
+    WhenBlocked,
     Words,
     World,
 } from './games.js';
@@ -91,6 +98,40 @@ export interface Recordings extends Games {
     /** What bytes begin as; 'other': a world alone, too. Reads the head alone. */
     kindOfBytes(data: ArrayBuffer | ArrayBufferView): 'other' | 'game' | 'recording';
 
+    /**
+     * Where bodies are, or go within `seconds`, for many casts at them: they go on as they move meanwhile, straight and
+     * turning evenly, whatever they meet; 0, or not given: they stand. It holds what it needs: the bodies may change, or be
+     * released. Costs a sort of the bodies. @throws {FirmaError} OUT_OF_RANGE for seconds that are not finite or below 0
+     */
+    bodyIndex(bodies: Bodies, seconds?: number): BodyIndex;
+    /**
+     * The first touch of a set of spheres, which may turn on its way, with a world. Of one that does not turn it is that of
+     * each sphere's own cast, the smallest fraction, then the lowest number; of one that turns it is never late, and at most
+     * 0.06 mm early. `room` of the options has to hold all of the set. Status 'invalid' as World.cast(), and for a rotation of
+     * zero or a turn beyond 2^20 radians; 'miss' for no sphere. Costs a look for what a sphere around all of it comes near;
+     * where that finds anything, a cast for each sphere, when turning one for each piece of its arc that comes near anything.
+     * @param spheres four numbers each: centre, radius >= 0, metres, in the frame that moves
+     * @throws {FirmaError} TOO_LARGE for more than 4,096
+     */
+    castSet(world: World, spheres: Numbers, motion: Motion, options?: CastOptions): SetHit;
+    /** The first touch of two sets, which move at once. All else as castSet(); costs the pairs of spheres that come near each other. */
+    castSetPair(a: Numbers, motionA: Motion, b: Numbers, motionB: Motion): SetPairHit;
+    /**
+     * Spheres that cover a world's solid from inside: of a closed mesh, a chunk, a part; for bodyShape(), with World.mass().
+     * Four numbers each, largest first, in the world's frame. `error`: metres that a point of the surface may be from the
+     * nearest sphere; more than maxError where maxSpheres did not do, or a thin edge has no room for spheres near it. Costs
+     * some thousand searches for nearest facets, and their product with the surface's points.
+     * @throws {FirmaError} INVALID for a world without solid, with rock that reaches to infinity, or without room for any
+     *     sphere, and for bad options
+     */
+    fitSpheres(world: World, fit?: FitOptions): { spheres: Float64Array; error: number };
+    /**
+     * The nearest point of a level and its parts, the parts where they are at a fraction of the scene's stretch; null where
+     * there is none within `reach`. Costs a search in the level, and in each part that may be nearer.
+     * @throws {FirmaError} as World.closest(); OUT_OF_RANGE for a fraction or a stretch that is none
+     */
+    closestInScene(scene: Scene, point: Vector, options?: SceneClosestOptions): SceneNear | null;
+
     /** No debris yet: it is kept beside a list of bodies. */
     debris(): Debris;
     /** How a matter of a world breaks: bricks, splinters, shards, lumps. @throws {FirmaError} INVALID for a matter that the world does not have */
@@ -132,6 +173,8 @@ export interface Recordings extends Games {
      * volume. Give it a health. Costs its faces.
      */
     breakable(parts: Parts, part: number): Breakable;
+    /** The first time after `seconds` at which a part arrives at, or leaves, a stop; Infinity where there is none. @throws as pathPose() */
+    pathNextStop(path: PartPath, seconds: number): number;
     /**
      * Takes from its health. `breaks`: this used it up: call Debris.breakPart().
      * @param breakable stays as it is @throws {FirmaError} OUT_OF_RANGE for a damage that is not finite, or negative
@@ -148,7 +191,7 @@ export interface Recordings extends Games {
      * surfaces see; what stops at one goes along with it until the step ends. Without parts the answers have the same bits.
      * @throws {FirmaError} as fly(); OUT_OF_RANGE for a stretch that is none; INVALID for a part that goes faster than 2^60 m/s
      */
-    flyScene(projectiles: Projectiles, scene: Scene, seconds: number, options?: FlyOptions): SceneFlyReport;
+    flyScene(projectiles: Projectiles, scene: Scene, seconds: number, options?: SceneFlyOptions): SceneFlyReport;
     /**
      * All solid that a straight path goes through, and the panes, in the order of the path. In and out alternate, exactly;
      * what runs along a face is in the air. docs/projectiles.md has the contract. Costs a cast of all that it meets.
@@ -266,35 +309,6 @@ export interface Weapon {
     /** It goes with this; null or not given: without. */
     charge?: Charge | null;
 }
-
-/** A place on a part's way. */
-export interface PartStop {
-    /** Of the part's frame, metres. */
-    position?: Vector;
-    /** Radians about the path's axis. */
-    angle?: number;
-    /** Seconds that it stands here; Infinity: it goes no further. */
-    wait?: number;
-    /** To the next stop, or from the last to the first; not above 0: it is there at once. */
-    seconds?: number;
-}
-
-/** How a part moves by time: stops in turn, a swing, a spin. */
-export interface PartPath {
-    stops?: readonly PartStop[];
-    /** Goes round for ever; else once round, and rests at the first stop. */
-    repeats?: boolean;
-    /** x, y, z, w, at angle 0; not turned unless given. */
-    rotation?: ArrayLike<number>;
-    /** Unit, of all angles; 0, 0, 1 unless given. */
-    axis?: Vector;
-    /** Radians a second about it. */
-    spin?: number;
-    /** Metres and radians to each side of the middle; seconds of a whole cycle, and where in it time 0 is. */
-    swing?: { reach?: Vector; angle?: number; period?: number; phase?: number };
-}
-
-export type WhenBlocked = 'stops' | 'returns' | 'crushes';
 
 export interface GamePart {
     /** The solid in the part's frame, of one room; shared, so it may be released. */
@@ -741,22 +755,119 @@ export interface Explosion extends PushReport {
     dustMass: number;
 }
 
-// ---- parts that break
+// ---- casts at bodies, sets of spheres
 
-/** What a part bears, and what is left of that. All of it has to be given. */
-export interface Breakable {
-    /** Of all of it, a number in the part's world; null: that which its textures say. */
-    matter: number | null;
-    /** What is left, by the program's measure; not above 0: nothing hurts it. */
-    health: number;
-    /** Cubic metres of its solid before anything was taken of it. */
-    whole: number;
-    /** 0..1, of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never. */
-    maxTaken: number;
-    /** Of the explosion that it makes, by the program's measure: nothing explodes by itself. */
-    damage: number;
-    broken: boolean;
+/** The first touch with a body. A miss has fraction 1, 'invalid' 0; the rest means something where `hit` is true. */
+export interface BodyHit {
+    status: Status;
+    /** Whether anything was met. */
+    hit: boolean;
+    /** Of the way. */
+    fraction: number;
+    /** Of the sphere that was cast, at the touch, metres. */
+    centre: Vector3;
+    point: Vector3;
+    /** Unit, from the body toward what was cast. */
+    normal: Vector3;
+    /** Of the body there, metres a second. */
+    surfaceVelocity: Vector3;
+    /** Of several at one fraction the one that is first in list(). */
+    body: BodyId | null;
+    /** Its number in the body's shape. */
+    bodySphere: number | null;
+    /** Its number in the set that was cast; 0 of a single one. */
+    sphere: number | null;
 }
+
+export interface BodyCastOptions {
+    /** Bodies that share a bit are met; all unless given. */
+    mask?: number;
+    /** Is not met: who casts. */
+    except?: BodyId | null;
+}
+
+export interface BodyIndex extends Handle {
+    /**
+     * A sphere, or a ray, of radius 0. It meets the spheres of bodies, not the solids that these stand for; what begins in one
+     * meets it at once where it comes nearer to its middle, else not at all. Against bodies that turn a touch is
+     * never late, and at most 0.06 mm early. Costs the logarithm of the bodies, and the spheres of those near the way.
+     */
+    cast(input: { centre: Vector; radius: number; path: Vector }, options?: BodyCastOptions): BodyHit;
+    /** The same of a set, as of castSet(). */
+    castSet(spheres: Numbers, motion: Motion, options?: BodyCastOptions): BodyHit;
+}
+
+/** A hit, and which sphere of the set it was: `centre` is that sphere's. */
+export interface SetHit extends Hit {
+    /** Null when nothing was touched. */
+    sphere: number | null;
+}
+
+export interface SetPairHit {
+    status: Status;
+    hit: boolean;
+    /** 1 of a miss, 0 of 'invalid'. */
+    fraction: number;
+    /** Where they touch, metres. */
+    point: Vector3;
+    /** Unit, from b's sphere toward a's. */
+    normal: Vector3;
+    sphereA: number | null;
+    sphereB: number | null;
+}
+
+export interface SceneNear extends Near, OfPart {}
+
+export interface SceneClosestOptions {
+    /** Metres; anywhere unless given. */
+    reach?: number;
+    /** Where the parts are: of the scene's stretch, 0..1; 0 unless given. */
+    fraction?: number;
+    mask?: number;
+    room?: number;
+}
+
+// ---- rules of projectiles
+
+/** What a projectile meets. */
+export interface ShotImpact {
+    /** Metres. */
+    point: Vector3;
+    /** Unit, toward where it came from. */
+    normal: Vector3;
+    /** Metres a second, before. */
+    velocity: Vector3;
+    /** Of the part there, metres a second; zero of no part. */
+    surface: Vector3;
+    /** Kilograms. */
+    mass: number;
+    /** Its index. */
+    projectile: number;
+    /** Null of portals and bodies; of a part of its world. */
+    face: number | null;
+    /** The face's first corner, in steps of 1/262144 m. */
+    corner: Vector3;
+    portal: number | null;
+    body: BodyId | null;
+    /** Of the face or portal. */
+    material: number;
+    /** A face that bounds no solid, or a closed portal. */
+    pane: boolean;
+    /** That is met; null: none. */
+    part: number | null;
+}
+
+export interface SceneFlyOptions extends FlyOptions {
+    /**
+     * In place of `matters`: what a matter (of a body: 0) does in an impact, asked once for the face, and for each matter on
+     * the way through. `usual` is `ofBodies` for a body, else `other`; what the rule gives is taken over it, where it gives
+     * anything; out of range it stops the projectile. What it throws is thrown once all have flown, and the projectiles stay
+     * as they were; bodies do not. It must not call what it was given to.
+     */
+    rule?: (impact: ShotImpact, matter: number, usual: Required<ShotTerms>) => ShotTerms | undefined | void;
+}
+
+// ---- parts that break
 
 export interface BreakOptions {
     /** Of each connected piece, at most, 1 to 4,096; 12 unless given. */

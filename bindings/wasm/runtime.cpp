@@ -99,6 +99,19 @@ firma_code firma_wasm_each_face(firma_world world, const firma_face_filter* filt
     return firma_world_each_face(world, filter, show, nullptr, completed);
 }
 
+/// The rule that asks the visitor: where firma_fly_options.rule is to point.
+firma_shot_rule firma_wasm_shot_rule() {
+    struct Shown {
+        const firma_shot_impact* impact;
+        firma_shot_terms* terms;
+        uint32_t matter;
+    };
+    return [](const firma_shot_impact* impact, uint32_t matter, firma_shot_terms* terms, void*) {
+        const Shown shown{impact, terms, matter};
+        firma_host_visit(&shown);
+    };
+}
+
 int clock_gettime(clockid_t, timespec* time) {
     const double us = firma_host_now();
     time->tv_sec = time_t(us / 1e6);

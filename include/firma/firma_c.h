@@ -3,18 +3,19 @@
  * recordings, files. C99 and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports, convex pieces,
- * game, recording or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
- * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
- * always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, body index, shot events, piercing, debris, supports,
+ * convex pieces, game, recording or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one
+ * releases it, each with its own function. A handle that was released, never made, or of another kind gives
+ * FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input
- * and a room that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
+ * firma_cast_each(), firma_cast_batch(), the same of movers, scenes, sets of spheres and a body index,
+ * firma_cast_many()), bad numbers of the input and a room that the world does not have give FIRMA_OK with status
+ * FIRMA_INVALID; everywhere else they give a code,
  * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
  * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
  * has not failed: it says so in its output.
@@ -183,6 +184,9 @@ typedef struct firma_body_shape {
 typedef struct firma_bodies {
     uint64_t id;
 } firma_bodies;
+typedef struct firma_body_index {
+    uint64_t id;
+} firma_body_index;
 typedef struct firma_shot_events {
     uint64_t id;
 } firma_shot_events;
@@ -1153,6 +1157,52 @@ typedef struct firma_part_near {
 FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* mover, double fraction,
                                          const firma_near_options* options, firma_part_near* found, size_t capacity,
                                          size_t* count);
+/* The point of the level and its parts that is nearest to a point, as firma_closest(), the parts where they are at a
+ * fraction, 0 to 1, of the scene's stretch; of several at the same distance the level's, then that of the part with the
+ * lowest number. `found` gets 0 or 1. `room` of the options is of the level. FIRMA_ERROR_OUT_OF_RANGE also for a
+ * fraction or a stretch that is none. Takes no memory. Costs a search in the level, and in each part that may be
+ * nearer. */
+FIRMA_API firma_code firma_closest_scene(const firma_scene* scene, const double point[3], double reach, double fraction,
+                                         const firma_near_options* options, firma_part_near* near, uint32_t* found);
+
+/* ---- sets of spheres -------------------------------------------------------------------------------------------- */
+
+/* Spheres that keep their places to each other go straight and turn meanwhile: a firma_motion. Sets are four doubles
+ * for each sphere, centre and radius >= 0, in a frame of their own. docs/bodies.md. */
+
+/* In place of the number of a sphere: none. */
+#define FIRMA_NO_SPHERE UINT32_MAX
+
+typedef struct firma_set_hit {
+    firma_hit hit;   /* `centre` is that of the sphere that touches */
+    uint32_t sphere; /* its number in the set; FIRMA_NO_SPHERE when nothing was touched */
+    uint32_t reserved;
+} firma_set_hit;
+
+/* The first touch of a set with the world. Of one that does not turn it is that of the cast of each sphere, the
+ * smallest fraction, then the lowest number; of one that turns it is never late, and at most 0.06 mm early, and
+ * safe_fraction is reckoned from the speed along the normal. `room` of the options has to hold all of the set, or be
+ * FIRMA_ANY_ROOM; `passed` is of no use. Status FIRMA_INVALID as firma_cast(), and for a rotation of zero or a turn
+ * beyond 2^20 radians; FIRMA_MISS for no sphere. FIRMA_ERROR_TOO_LARGE for more than 4,096. Takes memory for a copy of
+ * the spheres. Costs a look for what a sphere around all of it comes near; where that finds anything, a cast for each
+ * sphere, and when turning one for each piece of its arc that comes near anything. */
+FIRMA_API firma_code firma_cast_set(firma_world world, const double* spheres, size_t count, const firma_motion* motion,
+                                    const firma_cast_options* options, firma_set_hit* hit);
+
+/* The first touch of two sets, both of which move. */
+typedef struct firma_set_pair_hit {
+    double fraction;             /* 1 of a miss; of FIRMA_INVALID 0 */
+    double point[3];             /* where they touch, metres */
+    double normal[3];            /* unit, from b's sphere toward a's */
+    uint32_t status;             /* firma_status; FIRMA_INITIAL_OVERLAP: two overlap at the start and come nearer */
+    uint32_t sphere_a, sphere_b; /* or FIRMA_NO_SPHERE */
+    uint32_t reserved;
+} firma_set_pair_hit;
+
+/* Both go from fraction 0 to 1 at once. What firma_cast_set() says of sets that turn, of counts and of numbers holds
+ * here of both. Takes memory for copies of the spheres. Costs the pairs of spheres that come near each other. */
+FIRMA_API firma_code firma_cast_set_pair(const double* a, size_t a_count, const firma_motion* motion_a, const double* b,
+                                         size_t b_count, const firma_motion* motion_b, firma_set_pair_hit* hit);
 
 /* ---- players ---------------------------------------------------------------------------------------------------- */
 
@@ -1269,7 +1319,7 @@ typedef struct firma_player_move {
  * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
  * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
  * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is
- * looked for. */
+ * looked for, and some thousand, milliseconds, where none is near, in the first move in a world alone. */
 FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
                                        const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
                                        firma_player_move* move);
@@ -1565,6 +1615,17 @@ typedef struct firma_fit_options {
     double margin;        /* metres that spheres are inside by */
 } firma_fit_options;
 
+/* Spheres that cover a world's solid from inside: of a mesh that is closed (firma_world_from_mesh()), of a chunk
+ * (firma_chunks_world()) or a part; for firma_body_shape_spheres(), with the mass of firma_world_mass(). Four doubles
+ * each, largest first, in the world's frame: `count` gets how many, at most `max_spheres`; the first `capacity` are
+ * written. `error` gets how far, in metres, a point of the solid's surface may be from the nearest sphere: more than
+ * `max_error` where `max_spheres` did not do, or a thin edge has no room for spheres near it; it may be null.
+ * FIRMA_ERROR_INVALID for a world without solid faces, with rock that reaches to infinity, or without room for any
+ * sphere, and for bad options. The same bits on every machine. Costs some thousand searches for nearest facets, and
+ * their product with the surface's points. */
+FIRMA_API firma_code firma_world_fit_spheres(firma_world world, const firma_fit_options* fit, double* spheres,
+                                             size_t capacity, size_t* count, double* error);
+
 /* Names a body, as long as it is there: a slot is used again with another number. All that take one say
  * FIRMA_ERROR_INVALID for a body that is not there any more. */
 typedef struct firma_body_id {
@@ -1685,6 +1746,51 @@ FIRMA_API firma_code firma_bodies_contacts(firma_bodies bodies, firma_body_conta
 /* A hash of all that the next steps depend on. Costs all of it. */
 FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
 
+/* ---- casts at bodies -------------------------------------------------------------------------------------------- */
+
+/* Where bodies are, or go within a time, for many casts at them. Holds what it needs: bodies may change meanwhile, or
+ * be released. They go on as they move for `seconds` while a cast goes along its way, straight and turning evenly,
+ * whatever they meet; 0: they stand. Bodies with numbers that are not finite or beyond 2^200 are left out.
+ * FIRMA_ERROR_OUT_OF_RANGE for seconds that are not finite or below 0. Costs a sort of the bodies. */
+FIRMA_API firma_code firma_body_index_create(firma_bodies bodies, double seconds, firma_body_index* index);
+FIRMA_API firma_code firma_body_index_release(firma_body_index index);
+
+/* The first touch with a body. A miss has fraction 1, FIRMA_INVALID 0. */
+typedef struct firma_body_hit {
+    double fraction;            /* of the way */
+    double centre[3];           /* of the sphere that was cast, at the touch, metres */
+    double point[3];            /* metres */
+    double normal[3];           /* unit, from the body toward what was cast */
+    double surface_velocity[3]; /* of the body there, metres a second */
+    firma_body_id body;         /* of several at one fraction that of the lowest slot; slot FIRMA_NO_BODY of a miss */
+    uint32_t body_sphere;       /* of the body's shape; FIRMA_NO_SPHERE of a miss */
+    uint32_t sphere;            /* of the set that was cast; 0 of a single one; FIRMA_NO_SPHERE of a miss */
+    uint32_t status;            /* firma_status */
+    uint32_t reserved;
+} firma_body_hit;
+
+/* A null pointer takes the defaults. */
+typedef struct firma_body_cast_options {
+    uint32_t size;        /* sizeof(firma_body_cast_options) */
+    uint32_t mask;        /* bodies that share a bit are met; all */
+    firma_body_id except; /* is not: who casts; slot FIRMA_NO_BODY: none */
+} firma_body_cast_options;
+
+FIRMA_API void firma_body_cast_options_defaults(firma_body_cast_options* options);
+
+/* A sphere, or a ray, of radius 0. It meets the spheres of bodies, not the solids that these stand for; what begins in
+ * a sphere meets it at once where it comes nearer to its middle (FIRMA_INITIAL_OVERLAP), else not at all. Against
+ * bodies that turn a touch is never late, and at most 0.06 mm early. Status FIRMA_INVALID for numbers that are not
+ * finite or out of range, and a negative radius. Takes no memory. Costs the logarithm of the bodies, and the spheres of
+ * those near the way. */
+FIRMA_API firma_code firma_body_index_cast(firma_body_index index, const firma_cast_input* input,
+                                           const firma_body_cast_options* options, firma_body_hit* hit);
+/* The same of a set, as of firma_cast_set(): FIRMA_MISS for no sphere, FIRMA_ERROR_TOO_LARGE for more than 4,096. Takes
+ * memory for a copy of the spheres. */
+FIRMA_API firma_code firma_body_index_cast_set(firma_body_index index, const double* spheres, size_t count,
+                                               const firma_motion* motion, const firma_body_cast_options* options,
+                                               firma_body_hit* hit);
+
 /* ---- projectiles ------------------------------------------------------------------------------------------------ */
 
 /* Thousands of fast particles that fall, ricochet, go through walls or stay in them: an array of the caller's, whose
@@ -1723,6 +1829,30 @@ typedef struct firma_shot_terms {
 /* 0.25, 0.4, 0.3, and not entered. */
 FIRMA_API void firma_shot_terms_defaults(firma_shot_terms* terms);
 
+/* What a projectile meets. */
+typedef struct firma_shot_impact {
+    double point[3];     /* metres */
+    double normal[3];    /* unit, toward where it came from */
+    double velocity[3];  /* metres a second, before */
+    double surface[3];   /* of the part there, metres a second; zero of no part */
+    double mass;         /* kilograms */
+    uint32_t projectile; /* its index */
+    uint32_t face;       /* FIRMA_NO_FACE of portals and bodies; of a part of its world */
+    int32_t corner[3];   /* the face's first, as in firma_hit */
+    uint32_t portal;     /* a closed one, or FIRMA_NO_PORTAL */
+    firma_body_id body;  /* slot FIRMA_NO_BODY: none */
+    uint32_t material;   /* of the face or portal */
+    uint32_t pane;       /* 1: a face that bounds no solid, or a closed portal */
+    uint32_t part;       /* that is met: face, material and matter are of its world; FIRMA_NO_PART: none */
+    uint32_t reserved;
+} firma_shot_impact;
+
+/* What a matter (of a body: 0) does in an impact: asked once for the face, and for each matter on the way through.
+ * `terms` holds firma_fly_options.bodies for a body, else `other`, and is changed where the game wants it otherwise;
+ * out of range it stops the projectile. Called from any thread that firma_set_tasks() gives, so its answers must depend
+ * on what it is given alone. It must not release what the call was given. */
+typedef void (*firma_shot_rule)(const firma_shot_impact* impact, uint32_t matter, firma_shot_terms* terms, void* user);
+
 /* A null pointer takes the defaults. */
 typedef struct firma_fly_options {
     uint32_t size;                   /* sizeof(firma_fly_options) */
@@ -1738,6 +1868,8 @@ typedef struct firma_fly_options {
     const firma_shot_terms* matters; /* by number of matter of the world, a part's by their names in that table; may be
                                         null when the count is 0 */
     size_t matter_count;
+    firma_shot_rule rule; /* in place of `matters`; null: none */
+    void* user;           /* handed to rule */
 } firma_fly_options;
 
 FIRMA_API void firma_fly_options_defaults(firma_fly_options* options);

@@ -141,8 +141,9 @@ struct PlayerMove {
 /// never faster sideways, slopes and steps included. In the air it flies on, a parabola as long as it meets nothing.
 /// What it meets it slides along: of all motions that lead into nothing that was met, the one nearest to what is left
 /// (one plane, two, or three; the solution is that of the linear problem, without a nudge away from walls). It keeps
-/// the contact offset from all. A face too steep to walk on lifts nobody, but to ground that is within a step above and
-/// near. No sweep is ever shortened, so it passes no wall at any speed.
+/// the contact offset from all, but from what it comes upon at less than 3.6 degrees and slower than the offset a tick:
+/// that it backs off from once it is nearer than half of it. A face too steep to walk on lifts nobody, but to ground
+/// that is within a step above and near. No sweep is ever shortened, so it passes no wall at any speed.
 ///
 /// Where another world is given than last time, it is looked whether something came where the player is. If so it is
 /// moved out: the shortest way that overlaps lead to, else to the nearest of places around it that are free; none in
@@ -155,7 +156,8 @@ struct PlayerMove {
 /// keeps its speed. Part k has to be the same one from tick to tick, as Player::ground_part names it.
 ///
 /// The same bits on every machine. Never allocates. Costs two to four casts on plain ground, some more at walls and
-/// steps; at most a few hundred where a way out is looked for.
+/// steps; at most a few hundred where a way out is looked for, and some thousand, milliseconds, where none is near, in
+/// the first move in a world alone.
 [[nodiscard]] FIRMA_EXPORT PlayerMove move_player(const Scene& scene, const PlayerShape& shape, const Player& player,
                                                   const PlayerWish& wish, double seconds,
                                                   const PlayerRules& rules = {});

@@ -60,7 +60,7 @@ struct GltfPortal {
 /// A node that moves, with the meshes of all nodes below that are no parts themselves: a level of its own, in the
 /// node's frame. For moving_parts.h: MovingPart(make_world(part.level).value(), {part.position, part.rotation}).
 struct GltfPart {
-    std::string name;                 ///< the node's
+    std::string name;                 ///< the node's, or of the nearest above it that has one; "": none
     std::uint32_t node = 0;           ///< index in the file
     Vec3 position;                    ///< of the frame, metres, in the level
     Quaternion rotation{0, 0, 0, 1};  ///< of the frame; scales and mirrors are in the level

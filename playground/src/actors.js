@@ -35,6 +35,7 @@ export class Actors {
         this.obstacles = new Obstacles(firma, this.doors, this.debris);
         this.chosen = true; // whether the obstacles are those of the moment
         launcher.scene = () => this.#scene();
+        launcher.carve = (before, cutter, pose) => this.debris.carve(before, cutter, pose);
         launcher.matterOfPart = (part) => this.obstacles.of(part).piece?.matter ?? 'wood';
         this.rockets = new Rockets((from, path) => launcher.meet(from, path));
         this.grenades = new Grenades(firma, game.Projectiles);
@@ -67,16 +68,11 @@ export class Actors {
         if (this.debris.moving || this.doors.moving) this.sun.moving(dt);
     }
 
-    /** What a shot cut off. */
-    addLoose(loose) {
-        this.debris.add(loose, this.game.launcher.world.facts().version);
-    }
-
     /** A crater was tried somewhere: what that does to what moves. */
     blast(cutter, pose) {
         const { world } = this.game.launcher;
         const free = (from, to) => !world.castAny({ centre: from, radius: 0, path: subtract(to, from) }, { mask: kStopsSight });
-        this.debris.blast(pose.position, pose.scale, cutter, pose, free);
+        this.debris.blast(world, pose.position, pose.scale);
         this.broken.push(...this.doors.blast(cutter, pose));
         const { player } = this.game;
         const away = subtract(add(player.feet, [0, 0, 0.9]), pose.position);

@@ -1,40 +1,42 @@
 // SPDX-License-Identifier: MIT
-// What came loose, as bodies of the engine: they fall, tumble, come to rest; the next blast pushes them and cuts them to
-// pieces, and so does a hard fall those that are heavy.
-import { makeCrack } from './crack.js';
-import { combine, poseWithin, turned } from './turns.js';
-import { add, cross, length, subtract, times } from './vector.js';
+// What came loose, as bodies of the engine that know what they are made of: they fall, tumble, come to rest, and break as
+// their matter does, by the next blast and, those that are heavy, by a hard fall.
+import { kCarveOptions } from './launcher.js';
+import { kStopsSight } from './masks.js';
+import { poseWithin } from './turns.js';
+import { length, subtract } from './vector.js';
 
-const kMost = 90; // bodies: the ones that lie longest leave
-const kDensity = 2400;
-const kFit = { maxSpheres: 48, maxError: 0.05 }; // with fewer a bridge lies half a metre in the floor
+const kMost = 90; // bodies: beyond that sleepers leave, small ones first
+const kSpheres = 64; // of what comes loose: with 12 a bridge lies 0.7 m in the floor
+const kPieces = { maxSpheres: 32, minVolume: 0.002 }; // cubic metres: what is less is dust
 const kHeavy = 150; // kilograms: lighter ones do not break by a fall
 const kBreaks = 5; // metres a second that a fall takes away within a step
-const kMostBreaks = 2; // times, of what came of one chunk
-const kFirstEdit = 1 << 20; // of cuts in a body's own world: none of the level's has such a number
-const kPush = { speed: 9, impulse: 6000 }; // metres a second and newton seconds at most, at the middle of a blast
-const kReach = 3; // of a blast's radius
+const kByFall = { pieces: 8, most: 2 }; // pieces at most; times, of what came of one chunk
+const kByBlast = { pieces: 12, most: 3 };
+const kPush = { reach: 3, impulse: 8000, maxSpeed: 9 }; // radii of a blast, newton seconds a square metre, metres a second
 
 export class Debris {
-    /** @param matters  of the level @param onChange  ({ added, removed }): pieces; a piece is { id, world, origin, size, mass, ... } */
+    /** @param matters  of the level @param onChange  ({ added, removed }): pieces; a piece is { id, world, names, matter, origin, size, mass, ... } */
     constructor(firma, matters, onChange = () => {}) {
         this.firma = firma;
-        this.matters = matters; // of the level
+        this.matters = matters;
         this.onChange = onChange;
         this.bodies = firma.bodies();
+        this.solids = firma.debris(); // of the bodies
         this.pieces = new Map(); // by the body's name
-        this.edits = 0;
+        this.loose = []; // bodies that nobody was told of
+        this.cracks = 0;
     }
 
-    /** Pieces that left the level. @param loose  handle of a carving, stays the caller's @param version  of the world without them */
-    add(loose, version) {
-        const added = [];
-        loose.list().forEach((chunk, k) => {
-            const piece = this.#make(loose, k, { version, origin: chunk.origin, breaks: 0, ...this.#stuffOf(chunk) });
-            if (piece) added.push(piece);
-        });
-        this.#tell(added, []);
-        this.#keepFew();
+    /**
+     * A crater in the level; what comes loose become bodies, of which blast() tells.
+     * @returns { world, report } as World.carve(); `report.largest`: kilograms of the heaviest of them
+     */
+    carve(level, cutter, pose) {
+        const options = { breakRadius: 0, maxBroken: 0, maxSpheres: kSpheres, carve: kCarveOptions };
+        const { world, report } = this.solids.explode(this.bodies, level, { at: pose.position, impulse: 0 }, cutter, pose, options);
+        this.loose = report.loose;
+        return { world, report: { ...report.carve, largest: Math.max(0, ...this.loose.map((id) => this.bodies.get(id).mass)) } };
     }
 
     /** Time goes on. @returns what was hit hard: [{ piece, point, speed }] */
@@ -43,28 +45,29 @@ export class Debris {
         this.bodies.step(scene, dt);
         const hits = [];
         for (const piece of [...this.pieces.values()]) {
-            piece.age += dt;
             const before = piece.velocity;
             const body = this.bodies.get(piece.id);
             Object.assign(piece, { velocity: body.velocity, asleep: body.asleep, at: body.position });
             const lost = length(subtract(body.velocity, before)) - 9.81 * dt;
             if (lost < 1) continue;
             hits.push({ piece, point: body.position, speed: lost });
-            if (lost > kBreaks && piece.mass > kHeavy && piece.breaks < kMostBreaks) this.#crack(piece);
+            if (lost > kBreaks && piece.mass > kHeavy) this.#break(piece, scene.world, this.#hardestAt(piece), kByFall);
         }
-        this.#keepFew();
+        this.#keepFew(scene.world);
         return hits;
     }
 
-    /** A blast among them. @param free  (from, to) => whether nothing is between @param cutter, pose  of its crater */
-    blast(point, radius, cutter, pose, free) {
-        for (const piece of [...this.pieces.values()]) {
-            const away = subtract(piece.at, point);
-            const distance = length(away);
-            if (distance > kReach * radius + piece.size) continue;
-            const pieces = distance < radius + piece.size ? this.#cut(piece, cutter, pose) : [piece];
-            for (const one of pieces) this.#push(one, point, radius, free);
+    /** The blast of a crater: what is near breaks, all around are pushed, less behind cover. @param level  after carve() */
+    blast(level, point, radius) {
+        const before = [...this.pieces.values()];
+        this.#welcome(level);
+        for (const piece of before) {
+            const { position } = poseWithin(this.bodies.pose(piece.id), { position: point });
+            if (piece.world.closest(position, radius) || piece.world.locate(position).where === 'solid') this.#break(piece, level, point, kByBlast);
         }
+        const { reach, impulse, maxSpeed } = kPush;
+        this.firma.pushBlast(level, this.bodies, { at: point, radius: reach * radius, impulse }, { mask: kStopsSight, maxSpeed });
+        this.#keepFew(level);
     }
 
     /** Those of shots after a version are part of the world again. */
@@ -79,6 +82,7 @@ export class Debris {
     /** Gives all back. */
     release() {
         this.clear();
+        this.solids.release();
         this.bodies.release();
     }
 
@@ -87,100 +91,71 @@ export class Debris {
         return false;
     }
 
-    /** The matter that it is mostly made of, and the material of its inside. */
-    #stuffOf({ matters }) {
-        const most = matters.reduce((best, one) => (one.volume > best.volume ? one : best), { matter: 0, volume: 0 });
-        const { name, inside } = this.matters[most.matter];
-        return { matter: name, inside };
+    /** What carve() cut off. */
+    #welcome(level) {
+        if (this.loose.length === 0) return;
+        const facts = level.facts();
+        this.onChange({ added: this.loose.splice(0).map((id) => this.#know(id, facts)), removed: [] });
     }
 
-    /** A body of a chunk; null where no sphere has room in it. */
-    #make(chunks, k, rest) {
-        const { low, high, mass } = chunks.list()[k];
-        let id;
-        try {
-            id = this.bodies.addChunk(chunks, k, kFit);
-        } catch (error) {
-            if (error.code === 'INVALID') return null;
-            throw error;
-        }
-        const size = length(subtract(high, low)) / 2;
-        const piece = { id, world: chunks.world(k), mass, size, age: 0, velocity: [0, 0, 0], asleep: false, at: this.bodies.get(id).position, ...rest };
+    /** All that is told of a body. @param from  { version: of the level, materials: its names } */
+    #know(id, { version, materials }) {
+        const { matter: kind, origin, broken: breaks } = this.solids.get(this.bodies, id);
+        const { name: matter, inside } = this.matters[kind];
+        const { mass, position: at, velocity } = this.bodies.get(id);
+        const world = this.solids.world(this.bodies, id);
+        const { low, high } = world.facts();
+        // The faces of its cracks have the material after the last one of the level.
+        const names = [...materials, inside || 'rubble'];
+        const piece = { id, world, names, kind, matter, inside, origin, breaks, mass, at, velocity, size: length(subtract(high, low)) / 2, asleep: false, version, materials };
         this.pieces.set(id, piece);
         return piece;
     }
 
-    /** Takes a shape out of a body. @returns what is left of it, as it flew */
-    #cut(piece, cutter, pose) {
-        const frame = this.bodies.pose(piece.id);
-        const { world: after, report } = piece.world.carve(cutter, poseWithin(frame, pose), { edit: kFirstEdit + ++this.edits, material: piece.inside });
-        if (report.status !== 'done') {
-            after.release();
-            return [piece];
+    /** Breaks one as its matter does, smaller near a point, unless that broke too often. */
+    #break(piece, level, impact, { pieces: maxPieces, most }) {
+        if (piece.breaks >= most) return;
+        const pattern = this.firma.fracturePattern(level, piece.kind);
+        const options = { ...kPieces, maxPieces, world: level, impact, material: piece.materials.length, seed: ++this.cracks };
+        let pieces;
+        try {
+            ({ pieces } = this.solids.shatter(this.bodies, piece.id, pattern, options));
+        } catch (error) {
+            if (error.code === undefined) throw error;
+            return; // a crack that cannot be cut: all is as it was
         }
-        const was = this.bodies.get(piece.id);
-        const pieces = after.pieces(kDensity);
-        after.release();
-        const added = [];
-        for (let k = 0; k < pieces.list().length; ++k) {
-            const one = this.#make(pieces, k, { version: piece.version, origin: piece.origin, matter: piece.matter, inside: piece.inside, breaks: piece.breaks + 1, age: piece.age });
-            if (!one) continue;
-            this.#place(one, frame, was);
-            added.push(one);
-        }
-        pieces.release();
-        this.#tell(added, [piece]);
-        return added;
+        if (pieces.includes(piece.id)) return;
+        this.onChange({ added: pieces.map((id) => this.#know(id, piece)), removed: [piece] });
+        this.#forget(piece);
     }
 
-    /** Puts a new piece where it was in the old one, going as that part of it went. */
-    #place(piece, frame, was) {
-        const position = add(frame.position, turned(frame.rotation, this.bodies.get(piece.id).position));
-        const velocity = add(was.velocity, cross(was.spin, subtract(position, was.position)));
-        this.bodies.set(piece.id, { position, rotation: frame.rotation, velocity, spin: was.spin });
-        Object.assign(piece, { at: position, velocity });
+    /** Where the last step pressed most on a body. */
+    #hardestAt({ id, at }) {
+        const own = this.bodies.contacts().filter(({ body, other }) => body === id || other === id);
+        return own.reduce((most, one) => (one.force > most.force ? one : most), { point: at, force: 0 }).point;
     }
 
-    /** Breaks one across its longest side. */
-    #crack(piece) {
-        const { low, high } = piece.world.facts();
-        const { cutter, pose } = makeCrack(this.firma, low, high, this.edits);
-        const frame = this.bodies.pose(piece.id);
-        const turn = combine(frame.rotation, pose.rotation);
-        this.#cut(piece, cutter, { position: add(frame.position, turned(frame.rotation, pose.position)), rotation: turn, scale: pose.scale });
-        cutter.release();
-    }
-
-    #push(piece, point, radius, free) {
-        const away = subtract(piece.at, point);
-        const distance = Math.max(0.3, length(away));
-        const share = Math.max(0, 1 - distance / (kReach * radius + piece.size)) * (free(point, piece.at) ? 1 : 0.3);
-        const impulse = share * Math.min(kPush.speed * piece.mass, kPush.impulse);
-        if (impulse <= 0) return;
-        const direction = times(add(away, [0, 0, 0.4 * distance]), 1 / distance);
-        const arm = times(cross(away, [0.3, -0.5, 0.8]), (0.25 * piece.size) / distance); // not through the middle: it spins
-        this.bodies.push(piece.id, times(direction, impulse), add(piece.at, arm));
-    }
-
-    #keepFew() {
-        const over = this.pieces.size - kMost;
-        if (over <= 0) return;
-        const by = (piece) => (piece.asleep ? 0 : 1e6) + piece.mass - 10 * piece.age;
-        this.#drop([...this.pieces.values()].sort((a, b) => by(a) - by(b)).slice(0, over));
-    }
-
-    #tell(added, removed) {
-        this.onChange({ added, removed });
-        for (const piece of removed) this.#release(piece);
+    #keepFew(level) {
+        if (this.pieces.size <= kMost) return;
+        const { world, report } = this.solids.tend(this.bodies, level, 0, { maxBodies: kMost, maxSpheres: kMost * kSpheres, maxAsleep: Infinity });
+        world.release();
+        this.#left(report.removed.map((id) => this.pieces.get(id)));
     }
 
     #drop(pieces) {
-        if (pieces.length > 0) this.#tell([], pieces);
+        for (const { id } of pieces) this.solids.remove(this.bodies, id);
+        this.#left(pieces);
     }
 
-    #release(piece) {
+    /** They are no bodies any more. */
+    #left(pieces) {
+        if (pieces.length === 0) return;
+        this.onChange({ added: [], removed: pieces });
+        for (const piece of pieces) this.#forget(piece);
+    }
+
+    #forget(piece) {
         this.pieces.delete(piece.id);
-        this.bodies.remove(piece.id);
         piece.world.release();
     }
 }

@@ -13,11 +13,11 @@ function fromFrame(mesh) {
 
 /**
  * The meshes of a world that moves, in a group to be put somewhere.
+ * @param names  of its materials
  * @param depth  (edit, point of the level): how deep that lies in the crater of an edit
  * @param shift  where its frame was in the level
  */
-export function meshesOf(world, { bodies, shadow }, depth, shift = [0, 0, 0]) {
-    const names = world.facts().materials;
+export function meshesOf(world, names, { bodies, shadow }, depth, shift = [0, 0, 0]) {
     const meshes = new RegionMeshes(bodies, new Painter(names, (edit, point) => depth(edit, add(point, shift))), shadow);
     meshes.replace(world.regionMeshes(regionOptions(names)).map(fromFrame));
     return meshes;
@@ -26,7 +26,7 @@ export function meshesOf(world, { bodies, shadow }, depth, shift = [0, 0, 0]) {
 export class DebrisView {
     /** @param materials  of makeSurfaceMaterials() */
     constructor(materials, depth) {
-        this.make = (piece) => meshesOf(piece.world, materials, depth, piece.origin);
+        this.make = (piece) => meshesOf(piece.world, piece.names, materials, depth, piece.origin);
         this.group = new THREE.Group();
         this.shown = new Map(); // piece -> meshes
     }

@@ -6,7 +6,7 @@ import { meshesOf } from './debris_view.js';
 export class DoorView {
     /** @param materials  of makeSurfaceMaterials() */
     constructor(materials) {
-        this.make = (door) => meshesOf(door.world, materials, () => 0);
+        this.make = (door) => meshesOf(door.world, door.world.facts().materials, materials, () => 0);
         this.group = new THREE.Group();
         this.shown = new Map(); // door -> meshes
     }

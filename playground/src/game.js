@@ -23,7 +23,7 @@ const summary = (samples) => ({ last: samples.last, least: samples.least(), medi
 
 export class Game {
     /**
-     * @param firma  of loadGames() @param Projectiles  the class of the same package
+     * @param firma  of loadRecordings() @param Projectiles  the class of the same package
      * @param sound  plays what is heard
      * @param start  where the level's author has players start, or null: see startOf()
      */
@@ -35,7 +35,7 @@ export class Game {
         this.probe = new Probe(world);
         this.player = new Player(firma, this.probe);
         this.launcher = new Launcher(firma, world, this.probe, (before, after) => this.#redraw(before, after),
-            (loose) => this.actors.addLoose(loose), (cutter, pose) => this.actors.blast(cutter, pose));
+            (cutter, pose) => this.actors.blast(cutter, pose));
         this.painter = new Painter(this.launcher.materials, (edit, point) => this.launcher.depth(edit, point));
         const materials = makeSurfaceMaterials();
         this.meshes = new RegionMeshes(materials.level, this.painter, materials.shadow);

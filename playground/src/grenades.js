@@ -9,7 +9,7 @@ const kRadius = 0.07;
 const kBounce = { ricochetBelow: 2, restitution: 0.42, friction: 0.35 }; // however steep
 
 export class Grenades {
-    /** @param Projectiles  the class of 'firma/games' */
+    /** @param Projectiles  the class of 'firma/recordings' */
     constructor(firma, Projectiles) {
         this.firma = firma;
         this.Projectiles = Projectiles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
-import { countChunks } from './chunk_counts.js';
+import { countChunks, kDensity } from './chunk_counts.js';
 import { kStopsShots, kStopsSight } from './masks.js';
 import { Samples } from './samples.js';
 import { dot, subtract } from './vector.js';
@@ -8,16 +8,15 @@ import { dot, subtract } from './vector.js';
 const kReach = 250; // metres
 const kCraterScale = 1.2;
 const kHistoryBytes = 256 * 1024 * 1024;
-// What is cut off leaves, as heavy as concrete, kg/m3. The faces of a crater are of the matter that it cuts.
-const kCarveOptions = { chunks: { density: 2400 } };
+/** What is cut off leaves. The faces of a crater are of the matter that it cuts. */
+export const kCarveOptions = { chunks: { density: kDensity } };
 
 export class Launcher {
     /**
      * @param onChange  (before, after): the worlds, after each change
-     * @param onLoose  (loose): what a shot cut off, after that; the handle goes when it returns
-     * @param onBlast  (cutter, pose): a crater was tried, after all that; the cutter goes when it returns
+     * @param onBlast  (cutter, pose): a crater was tried, after that; the cutter goes when it returns
      */
-    constructor(firma, world, probe, onChange, onLoose = () => {}, onBlast = () => {}) {
+    constructor(firma, world, probe, onChange, onBlast = () => {}) {
         this.firma = firma;
         this.store = firma.openStore(world, kHistoryBytes);
         this.world = world;
@@ -25,10 +24,10 @@ export class Launcher {
         this.matters = world.matters().matters;
         this.probe = probe;
         this.onChange = onChange;
-        this.onLoose = onLoose;
         this.onBlast = onBlast;
         this.scene = () => this.world; // what flies meets, with what moves in it
         this.matterOfPart = () => '';
+        this.carve = (before, cutter, pose) => before.carve(cutter, pose); // what it cuts off stays where it is
         this.shots = 0;
         this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report, chunks, portals }
         this.cutMs = new Samples(60);
@@ -142,7 +141,7 @@ export class Launcher {
         const cutter = this.firma.crater('rocky', seed);
         const before = this.world;
         const start = performance.now();
-        const { world: after, report } = before.carve(cutter, pose, kCarveOptions);
+        const { world: after, report } = this.carve(before, cutter, pose);
         const cutMs = performance.now() - start;
         this.last = { status: report.status, reason: report.reason, cutMs, report };
         if (report.status === 'done') this.#take(before, after, dent);
@@ -158,11 +157,10 @@ export class Launcher {
         this.cutMs.add(cutMs);
         const [portals, facts] = [before.facts().portalCount, after.facts()];
         this.last.portals = Array.from({ length: facts.portalCount - portals }, (_, k) => portals + k);
-        this.last.chunks = countChunks(report);
+        this.last.chunks = countChunks({ largest: 0, ...report });
         this.dents.set(facts.edits, dent);
         this.store.publish(before, after);
-        this.last.meshMs = this.#change(after, report.loose);
-        report.loose = null;
+        this.last.meshMs = this.#change(after);
     }
 
     #travel(name, isThere, move) {
@@ -173,15 +171,13 @@ export class Launcher {
     }
 
     /** Everything from the world before to the one after: what is drawn, what casts meet. */
-    #change(after, loose = null) {
+    #change(after) {
         const start = performance.now();
         const before = this.world;
         this.world = after;
         this.probe.world = after;
         this.materials = after.facts().materials;
         this.onChange(before, after);
-        if (loose) this.onLoose(loose);
-        loose?.release();
         before.release(); // the store has its own
         const spent = performance.now() - start;
         this.meshMs.add(spent);

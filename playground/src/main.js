@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loads Firma and a level, runs the frames, and offers window.firmaPlayground to whoever drives the page by program.
-import { loadGames, Projectiles } from 'firma/games';
+import { loadRecordings, Projectiles } from 'firma/recordings';
 import { Game } from './game.js';
 import { describeShot, Hud } from './hud.js';
 import { listenToButtons } from './held_buttons.js';
@@ -80,14 +80,18 @@ function beTouched() {
 
 /** What keys and buttons do at once. */
 function actionsOf(game, sound, name) {
+    const playSet = (set) => {
+        if (isTouched()) document.body.classList.add('without-help'); // the menu would cover it
+        game.startSet(set);
+    };
     return {
         undo: () => game.undo(),
         redo: () => game.redo(),
         respawn: () => game.respawn(),
         portals: () => game.togglePortals(),
         door: () => game.turnPortal(),
-        bridge: () => game.startSet('bridge'),
-        wall: () => game.startSet('wall'),
+        bridge: () => playSet('bridge'),
+        wall: () => playSet('wall'),
         level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}${wantsFull(location.search) ? '&picture=full' : ''}`),
         help: () => document.body.classList.toggle('without-help'),
         figures: () => document.body.classList.toggle('figures'),
@@ -111,7 +115,7 @@ async function start() {
     const message = document.querySelector('#message');
     try {
         const name = levelName(location.search);
-        const firma = await loadGames(new URL('firma_games.wasm', document.baseURI));
+        const firma = await loadRecordings(new URL('firma_recordings.wasm', document.baseURI));
         const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
         const picture = new Picture({ software: drawsInSoftware(), full: wantsFull(location.search) });

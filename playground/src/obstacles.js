@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands or moves in somebody's way besides the level: doors, and the heaviest pieces of rubble as parts of the scene.
 // Players walk on them and are pushed by them, shots meet them.
-import { boxMesh } from './crack.js';
+import { boxMesh } from './box_mesh.js';
 import { back, combine } from './turns.js';
 import { subtract } from './vector.js';
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The engine for tests in node: the module of games and that of the readers.
+// The engine for tests in node: the module of recordings and that of the readers.
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 export const kRoot = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const games = process.env.FIRMA_JS ?? path.join(kRoot, 'bindings/js/src/games.js');
-export const { loadGames, Projectiles } = await import(pathToFileURL(games));
-const { loadReaders } = await import(pathToFileURL(path.join(path.dirname(games), 'readers.js')));
-export const firma = await loadGames(process.env.FIRMA_WASM ?? path.join(kRoot, 'build/wasm/bin/firma_games.wasm'));
+const recordings = process.env.FIRMA_JS ?? path.join(kRoot, 'bindings/js/src/recordings.js');
+export const { loadRecordings, Projectiles } = await import(pathToFileURL(recordings));
+const { loadReaders } = await import(pathToFileURL(path.join(path.dirname(recordings), 'readers.js')));
+export const firma = await loadRecordings(process.env.FIRMA_WASM ?? path.join(kRoot, 'build/wasm/bin/firma_recordings.wasm'));
 export const readers = await loadReaders(firma);
 
 export const readLevel = (name) => readFileSync(path.join(kRoot, 'levels', name), 'utf8');

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { throwBlast } from '../src/blast_particles.js';
-import { boxMesh } from '../src/crack.js';
+import { boxMesh } from '../src/box_mesh.js';
 import { leafMesh, planDoor } from '../src/door_plans.js';
 import { turnBetween } from '../src/obstacles.js';
 import { kShares, Picture } from '../src/picture.js';
@@ -201,7 +201,7 @@ function volume({ positions, corners, cornerCounts = Array(corners.length / 3).f
     return sum;
 }
 
-test('meshes of leaves and cracks are seen from outside', () => {
+test('meshes of leaves and boxes are seen from outside', () => {
     assert.ok(Math.abs(volume(boxMesh([1, 2, 3])) - 48) < 1e-9);
     assert.ok(Math.abs(volume(leafMesh({ width: 1, height: 2 })) - 0.1236) < 1e-9);
 });

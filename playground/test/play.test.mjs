@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Somebody plays: a fire fight in the depot at 1280x720 by keys, and on a phone by fingers, upright and on its side.
+// Somebody plays: a fire fight in the depot at 1280x720 by keys, and on a phone by fingers, upright and on its side; both
+// bring the bridge down.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { call, load, open, shoot } from './harness.mjs';
@@ -202,3 +203,34 @@ for (const [name, viewport] of [['upright', { width: 390, height: 844 }], ['on i
         await page.close();
     });
 }
+
+test('a phone brings the bridge down by touch: it falls, breaks, comes to rest', async () => {
+    const { page, errors } = await load(session, '', { width: 844, height: 390 }, kPhone);
+    const first = await call(page, 'hash');
+    await page.evaluate(() => window.firmaPlayground.resume());
+    await page.tap('#menu');
+    await page.tap('#bridge');
+    assert.equal(await page.isVisible('#bridge'), false); // the menu does not cover it
+    await page.waitForFunction(() => window.firmaPlayground.state().set?.shots === 2);
+    await page.evaluate(() => window.firmaPlayground.pause());
+    let s = await state(page);
+    assert.ok(s.debris.bodies > 0 && s.debris.awake > 0, JSON.stringify(s.debris));
+    await shoot(page, '34_phone_bridge_falls', 0.1);
+    const { bodies } = s.debris;
+    s = await until(page, 0.1, {}, ({ debris }) => debris.awake === 0, 150);
+    assert.ok(s.debris.bodies > bodies, `${s.debris.bodies} pieces of ${bodies}`);
+    assert.ok(s.debris.mass > 0.98 * s.set.largest.mass, JSON.stringify(s.debris));
+    const heights = await page.evaluate(() => [...window.firmaPlayground.game.actors.debris.pieces.values()].map(({ at }) => at[2]));
+    assert.ok(heights.every((z) => z > 0 && z < 2.6), `${heights}`);
+    assert.match(await page.evaluate(() => (window.firmaPlayground.draw(), document.querySelector('#told').textContent)), /^the bridge: 2 of 2 shots: \d+ chunks of /);
+    assert.equal(await page.isVisible('#told'), true);
+    await shoot(page, '35_phone_bridge_lies', 5);
+    await page.tap('#menu');
+    for (const version of [1, 0]) {
+        await page.tap('#more [data-do=undo]');
+        assert.equal((await state(page)).version, version);
+    }
+    assert.deepEqual([await call(page, 'hash'), (await state(page)).debris.bodies], [first, 0]);
+    assert.deepEqual(errors, []);
+    await page.close();
+});

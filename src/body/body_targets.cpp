@@ -2,27 +2,14 @@
 // Rays against bodies.
 #include "body/body_targets.h"
 
-#include <cmath>
-
 #include "body/body_shape.h"
+#include "body/first_within.h"
 #include "body/mover.h"
 #include "body/target_box.h"
 #include "index/sweep_box.h"
 #include "world/sweep_world.h"
 
 namespace firma {
-namespace {
-
-/// The least t in [0, 1] at which |w + t d| is at most r and falls; beyond 1 if there is none.
-double first_in_ball(const Vec3& w, const Vec3& d, double r) {
-    const double c = dot(w, w) - r * r, b = dot(w, d), a = dot(d, d);
-    if (!(b < 0)) return 2;
-    if (c <= 0) return 0;
-    const double root = b * b - a * c;
-    return root < 0 ? 2 : c / (-b + std::sqrt(root));
-}
-
-}  // namespace
 
 BodyTargets::BodyTargets(const Bodies& bodies) {
     std::vector<GridBox> boxes;
@@ -51,7 +38,7 @@ BodyMet BodyTargets::first(const Ray& ray, std::uint32_t mask) const {
         if (!(target.body->mask & mask)) return false;
         for (const Sphere& sphere : target.body->shape.data().spheres) {
             const Vec3 centre = target.position + target.matrix * sphere.centre;
-            const double t = first_in_ball(ray.start - centre, ray.path, sphere.radius);
+            const double t = first_within(ray.start - centre, ray.path, sphere.radius);
             if (t > 1 || t > met.fraction || (t == met.fraction && target.slot >= met.slot)) continue;
             const Vec3 apart = ray.start + ray.path * t - centre;
             const double distance = length(apart);

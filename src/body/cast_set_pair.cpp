@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two moving sets of spheres against each other.
-#include <cmath>
-
+#include "body/first_within.h"
 #include "firma/cast_set.h"
 #include "moving/arc.h"
 
@@ -41,15 +40,6 @@ private:
         const double along = dot(v, v), t = along > 0 ? -dot(w, v) / along : 0;
         const Vec3 nearest = w + v * (t > 0 ? (t < 1 ? t : 1) : 0);
         return dot(nearest, nearest) <= r * r * (1 + 0x1p-40) + dot(w, w) * 0x1p-40;
-    }
-
-    /// The least t in [0, 1] at which |w + t v| is at most r and falls; beyond 1 if there is none.
-    static double first_within(const Vec3& w, const Vec3& v, double r) {
-        const double c = dot(w, w) - r * r, b = dot(w, v), a = dot(v, v);
-        if (!(b < 0)) return 2;
-        if (c <= 0) return 0;
-        const double root = b * b - a * c;
-        return root < 0 ? 2 : c / (-b + std::sqrt(root));
     }
 };
 

@@ -6,6 +6,7 @@
 
 #include "body/rolling.h"
 #include "firma/debris.h"
+#include "firma/solid.h"
 #include "fracture/clear_spheres.h"
 #include "fracture/piece_spheres.h"
 
@@ -18,13 +19,20 @@ struct Part {
     std::uint32_t matter = 0;
 };
 
+/// A point in a piece: its centre of mass, where that is not beside it, as an angle's is.
+Vec3 point_in(const FracturePiece& piece) {
+    if (locate(piece.solid, piece.mass.centre) == Where::kSolid) return piece.mass.centre;
+    const SphereFit fit = piece_spheres(piece.solid, 1);
+    return fit.spheres.empty() ? piece.mass.centre : fit.spheres.front().centre;
+}
+
 /// Pieces as dense as their matters, in proportion: together they are as heavy as before.
 std::vector<Part> weighed(const std::vector<FracturePiece>& pieces, const DebrisPiece& whole, const World* world) {
     std::vector<Part> parts;
     double before = 0, after = 0;
     for (const FracturePiece& piece : pieces) {
         Part part{piece, whole.matter};
-        if (world) part.matter = matter_at(*world, whole.origin + piece.mass.centre);
+        if (world) part.matter = matter_at(*world, whole.origin + point_in(piece));
         before += piece.mass.mass;
         after += piece.mass.volume * (world ? matter(*world, part.matter).density : 1);
         parts.push_back(std::move(part));

@@ -60,7 +60,7 @@ void PlayerTick::carry(double before, double after) {
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = walls.nearest(left);
         if (!(max_abs(path) > 0)) break;
-        const PartHit hit = posture_.sweep(player_.position, path);
+        const PartHit hit = posture_.sweep_ahead(player_.position, path);
         player_.position += path * hit.safe_fraction;
         move_.carried += path * hit.safe_fraction;
         left *= 1 - hit.safe_fraction;

@@ -13,6 +13,11 @@ namespace firma {
 namespace {
 
 constexpr double kShortestUp = 1e-3;
+/// In contact offsets: so far beyond the end of a path it is looked. What is come upon at an angle whose sine is below
+/// 1 to as many may be met later, nearer than the offset.
+constexpr double kAhead = 16;
+/// Metres: what lies beyond a path shorter than that is not looked for.
+constexpr double kLeastPath = 1e-12;
 
 Error bad_shape(std::string reason) {
     return {ErrorCode::kInvalid, {}, std::move(reason)};
@@ -164,6 +169,19 @@ PartHit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
         if (hit.touched() && (!first.touched() || hit.fraction < first.fraction)) first = hit;
     }
     return first;
+}
+
+// Else a way shorter than the offset would never meet what it leads to, and go on until that is touched.
+PartHit PostureIn::sweep_ahead(const Vec3& feet, const Vec3& path) const {
+    const double size = length(path);
+    if (!(size > kLeastPath)) return sweep(feet, path);
+    const double longer = 1 + kAhead * options_.contact_offset / size;
+    PartHit hit = sweep(feet, path * longer);
+    if (!hit.touched()) return hit;
+    hit.fraction *= longer;
+    hit.safe_fraction *= longer;
+    if (hit.safe_fraction < 1) return hit;
+    return {};
 }
 
 bool PostureIn::is_behind(const Vec3& middle, const PartOverlap& overlap) const {

@@ -41,6 +41,9 @@ public:
     PostureIn(const Scene& scene, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset);
 
     PartHit sweep(const Vec3& feet, const Vec3& path) const;
+    /// The same, but what is met up to 16 contact offsets beyond the end counts, too, where keeping the offset from it
+    /// ends the way before its end: then `fraction` may be above 1. What is met later than that is a miss.
+    PartHit sweep_ahead(const Vec3& feet, const Vec3& path) const;
     bool overlaps(const Vec3& feet) const;
     /// The one that it is deepest in; depth 0 where there is none.
     PartOverlap deepest(const Vec3& feet) const {

@@ -68,10 +68,13 @@ PlayerMove PlayerTick::run() {
 }
 
 bool PlayerTick::get_free() {
-    player_.world_hash = hash_world(world_);
+    // One that is stuck since before in this world is looked around less: it was looked around well then.
+    const std::uint64_t hash = hash_world(world_);
+    const bool thorough = !player_.stuck || player_.world_hash != hash;
+    player_.world_hash = hash;
     if (is_free(posture_, player_.position)) return true;
     const std::optional<Vec3> out =
-        way_out(world_, posture_, shape_, player_.position, player_.room, rules_.max_push, offset_);
+        way_out(world_, posture_, shape_, player_.position, player_.room, rules_.max_push, offset_, thorough);
     if (!out) return false;
     move_.pushed = *out - player_.position;
     player_.position = *out;
@@ -120,7 +123,7 @@ Vec3 PlayerTick::allowed_on_ground(const Vec3& motion) const {
 }
 
 PartHit PlayerTick::go(const Vec3& path) {
-    const PartHit hit = posture_.sweep(player_.position, path);
+    const PartHit hit = posture_.sweep_ahead(player_.position, path);
     player_.position += path * hit.safe_fraction;
     if (!hit.touched()) return hit;
     state_.touched.add(hit.normal);
@@ -165,11 +168,13 @@ void PlayerTick::fly() {
     if (is_held()) stand_on(up_, kNoPart);
 }
 
-// On a side too steep to stand on, with something below within a step: it may go on up as from the ground.
+// On a side too steep to stand on, with something below within a step: it may go on up as from the ground, where it
+// wishes to. What only slides along slides down.
 bool PlayerTick::climb_from_slide(const PartHit& hit, const Vec3& left) {
     if (dot(player_.velocity, up_) > 0 || !(dot(hit.normal, up_) > kUpright)) return false;
-    if (!posture_.sweep(player_.position, up_ * -rules_.step_height).touched()) return false;
     Vec3 flat = sideways(left);
+    if (!(dot(wish_.velocity, flat) > 0)) return false;
+    if (!posture_.sweep(player_.position, up_ * -rules_.step_height).touched()) return false;
     if (!climb(flat)) return false;
     stand_on(up_, hit.part);
     settle(rules_.step_height);

@@ -13,10 +13,11 @@ bool is_free(const PostureIn& posture, const Vec3& feet);
 
 /// A free place near: out of what it overlaps the shortest ways, one after another; else the nearest of rings of places
 /// around, and from there back as far as nothing is met. Never in an exterior room of several, but from there.
-/// @param room   where its middle was last in air; invalid: not known
-/// @param reach  metres
+/// @param room      where its middle was last in air; invalid: not known
+/// @param reach     metres
+/// @param thorough  look on dense rings too: 2,630 places, and the ways of what is overlapped there
 /// @return the feet there; nothing where none was found
 std::optional<Vec3> way_out(const World& world, const PostureIn& posture, const PlayerShapeData& shape,
-                            const Vec3& feet, RoomId room, double reach, double offset);
+                            const Vec3& feet, RoomId room, double reach, double offset, bool thorough);
 
 }  // namespace firma

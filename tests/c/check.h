@@ -50,6 +50,8 @@ void test_casts(void);
 void test_movers(void);
 void test_players(void);
 void test_bodies(void);
+void test_body_casts(void);
+void test_sphere_sets(void);
 void test_projectiles(void);
 void test_debris(void);
 void test_level_parts(void);

@@ -99,6 +99,8 @@ int main(int argc, char** argv) {
     test_chunks();
     test_convex_pieces();
     test_bodies();
+    test_body_casts();
+    test_sphere_sets();
     test_projectiles();
     test_debris();
     test_level_parts();

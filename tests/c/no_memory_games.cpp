@@ -285,6 +285,48 @@ TEST_F(GamesWithoutMemory, ProjectilesStayWhereTheyAre) {
     EXPECT_EQ(firma_shot_events_release(events), FIRMA_OK);
 }
 
+TEST_F(GamesWithoutMemory, CastsAtBodiesAndFits) {
+    firma_body_index index{77};
+    EXPECT_GT(until_enough([&] { return firma_body_index_create(bodies, 0.125, &index); },
+                           [&](long) { EXPECT_EQ(index.id, 77u); }),
+              3);
+    const firma_cast_input down{{-8, 0, 8}, 0.125, {0, 0, -8}};
+    firma_body_hit hit{};
+    EXPECT_EQ(until_enough([&] { return firma_body_index_cast(index, &down, nullptr, &hit); }, [](long) {}), 0)
+        << "it takes no memory";
+    EXPECT_EQ(hit.status, std::uint32_t(FIRMA_HIT));
+    const double set[8] = {0, 0, 0, 0.125, 1, 0, 0, 0.125};
+    const firma_motion motion{{-8, 0, 8}, {0, 0, 0, 1}, {0, 0, -9}, {0, 0, 1}};
+    hit.status = 99;
+    const auto unasked = [&](long) { EXPECT_EQ(hit.status, 99u); };
+    EXPECT_EQ(until_enough([&] { return firma_body_index_cast_set(index, set, 2, &motion, nullptr, &hit); }, unasked),
+              1);
+    firma_set_hit met{};
+    met.sphere = 99;
+    EXPECT_EQ(until_enough([&] { return firma_cast_set(world, set, 2, &motion, nullptr, &met); },
+                           [&](long) { EXPECT_EQ(met.sphere, 99u); }),
+              1);
+    EXPECT_EQ(met.hit.status, std::uint32_t(FIRMA_HIT));
+    firma_set_pair_hit pair{};
+    pair.status = 99;
+    EXPECT_EQ(until_enough([&] { return firma_cast_set_pair(set, 2, &motion, set, 1, &motion, &pair); },
+                           [&](long) { EXPECT_EQ(pair.status, 99u); }),
+              2);
+    EXPECT_EQ(firma_body_index_release(index), FIRMA_OK);
+
+    firma_world solid{};
+    EXPECT_EQ(firma_parts_world(parts, 0, &solid), FIRMA_OK);
+    const firma_fit_options fit{sizeof fit, 2, 0, 0};
+    double spheres[8] = {};
+    std::size_t count = 77;
+    EXPECT_GT(until_enough([&] { return firma_world_fit_spheres(solid, &fit, spheres, 2, &count, nullptr); },
+                           [&](long) { EXPECT_EQ(count, 77u); }),
+              20);
+    EXPECT_LE(count, 2u);
+    EXPECT_NEAR(spheres[3], 2, 0.01) << "in a cube of 4 m";
+    EXPECT_EQ(firma_world_release(solid), FIRMA_OK);
+}
+
 TEST_F(GamesWithoutMemory, PathsThroughSolid) {
     firma_piercing piercing{77};
     EXPECT_GT(

@@ -64,6 +64,51 @@ static void test_flight(firma_world room, firma_shot_events events) {
     CHECK(fabs(view.events[0].velocity[2] - 0.4 * sqrt(4 + 2 * 9.81 * 0.1)) < 0.01 && report.flying == 1);
 }
 
+/* A rule of the game's own, and what it was asked. */
+struct asked {
+    double resistance; /* of all that is no body; below 0 it is out of range */
+    int times, bodies;
+    firma_shot_impact first;
+    firma_shot_terms given;
+};
+
+static void by_rule(const firma_shot_impact* impact, uint32_t matter, firma_shot_terms* terms, void* user) {
+    struct asked* const asked = user;
+    if (asked->times++ == 0) asked->first = *impact, asked->given = *terms;
+    asked->bodies += impact->body.slot != FIRMA_NO_BODY && matter == 0;
+    terms->resistance = asked->resistance;
+}
+
+/* As by a table that says the same; what it is asked with; out of range the projectile stops. */
+static void test_rule(firma_world walled, firma_shot_events events, const firma_projectile* by_table) {
+    struct asked asked = {.resistance = 100};
+    firma_fly_options options;
+    firma_fly_options_defaults(&options);
+    options.gravity[2] = 0;
+    options.rule = by_rule;
+    options.user = &asked;
+    firma_projectile ruled = shot(2, 4, 2, 200, 0, 0);
+    CHECK_OK(firma_fly(&ruled, 1, walled, (firma_bodies){0}, 1.0 / 64, &options, events, NULL));
+    CHECK(memcmp(&ruled, by_table, sizeof ruled) == 0);
+    /* Once for the face, once for the matter behind it. */
+    CHECK(asked.times == 2 && asked.bodies == 0 && asked.given.friction == 0.3 && asked.given.resistance > 1e60);
+    CHECK(fabs(asked.first.point[0] - 4) < 1e-9 && asked.first.normal[0] == -1 && asked.first.velocity[0] == 200);
+    CHECK(asked.first.mass == 0.01 && asked.first.projectile == 0 && asked.first.face != FIRMA_NO_FACE);
+    CHECK(asked.first.portal == FIRMA_NO_PORTAL && asked.first.body.slot == FIRMA_NO_BODY && !asked.first.pane);
+    CHECK(asked.first.part == FIRMA_NO_PART && asked.first.surface[0] == 0);
+    /* A caller that was compiled before there were rules has none. */
+    options.other.resistance = 100;
+    options.size = offsetof(firma_fly_options, rule);
+    firma_projectile older = shot(2, 4, 2, 200, 0, 0);
+    CHECK_OK(firma_fly(&older, 1, walled, (firma_bodies){0}, 1.0 / 64, &options, events, NULL));
+    CHECK(asked.times == 2 && memcmp(&older, by_table, sizeof older) == 0);
+    options.size = sizeof options;
+    asked.resistance = -1;
+    firma_projectile stopped = shot(2, 4, 2, 200, 0, 0);
+    CHECK_OK(firma_fly(&stopped, 1, walled, (firma_bodies){0}, 1.0 / 64, &options, events, NULL));
+    CHECK(stopped.state == FIRMA_PROJECTILE_STOPPED && fabs(stopped.position[0] - 4) < 1e-4);
+}
+
 /* A slab of 0.5 m in the way: what it takes is its resistance times its thickness. */
 static void test_slab(firma_world room, firma_shot_events events) {
     const firma_cutter slab = make_box(4, -1, -1, 4.5, 9, 5);
@@ -99,6 +144,7 @@ static void test_slab(firma_world room, firma_shot_events events) {
     options.matter_count = 64;
     CHECK_OK(firma_fly(&again, 1, walled, (firma_bodies){0}, 1.0 / 64, &options, events, NULL));
     CHECK(memcmp(&again, &fast, sizeof fast) == 0);
+    test_rule(walled, events, &fast);
     CHECK_OK(firma_world_release(walled));
     CHECK_OK(firma_cutter_release(slab));
 }
@@ -125,6 +171,15 @@ static void test_body(firma_world room, firma_shot_events events) {
     firma_body body = {.size = sizeof body};
     CHECK_OK(firma_bodies_get(bodies, id, &body));
     CHECK(fabs(body.velocity[0] * body.mass - 4) < 1e-9);
+    /* By a rule: it is asked with the terms of bodies. */
+    struct asked asked = {.resistance = 0};
+    options.bodies.friction = 0.125;
+    options.rule = by_rule;
+    options.user = &asked;
+    bullet = shot(1, 4, 2, 400, 0, 0);
+    CHECK_OK(firma_fly(&bullet, 1, room, bodies, 1.0 / 64, &options, events, NULL));
+    CHECK(asked.times == 1 && asked.bodies == 1 && asked.given.friction == 0.125);
+    CHECK(asked.first.body.slot == id.slot && asked.first.body.use == id.use && asked.first.face == FIRMA_NO_FACE);
     CHECK_OK(firma_bodies_release(bodies));
     CHECK_OK(firma_body_shape_release(ball));
     CHECK_FAILS(firma_fly(&bullet, 1, room, bodies, 1.0 / 64, NULL, events, NULL), FIRMA_ERROR_BAD_HANDLE, "bodies");

@@ -45,7 +45,7 @@ class Gltf(CliTest):
         self.assertEqual((info['materials'], info['groups']), (['rock'], 2))
         self.assertEqual(info['bounds'], {'low': [0, -5, 0], 'high': [4, 0, 3]})     # y up became z up
         self.assertEqual(info['solid'], {'faces': 12, 'volume': -60, 'area': 94})
-        self.assertEqual(info['gltf'], {'nodes': 1, 'portals': [], 'undivided': None, 'notes': []})
+        self.assertEqual(info['gltf'], {'nodes': 1, 'parts': [], 'portals': [], 'undivided': None, 'notes': []})
         self.assertEqual(self.firma_json('info', 'room.gltf', '--scale', '2')['bounds']['high'], [8, 0, 6])
         self.assertNotIn('portals', self.firma('info', 'room.gltf'))
         self.assertNotIn('gltf', self.firma_json('info', FIRST))

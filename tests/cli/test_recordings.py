@@ -6,6 +6,7 @@ import struct
 import unittest
 
 from harness import ROOT, CliTest, box
+from test_gltf import TRIANGLES, room
 
 DEPOT = os.path.join(ROOT, 'levels', 'depot.map')
 
@@ -146,6 +147,83 @@ class Recordings(CliTest):
         self.write('w.csv', 'x,y,z,radius,shape,seed\n')
         self.firma('carve', 'box.obj', '--blasts', 'w.csv', '-o', 'w.firma')
         self.refuse('replay', 'w.firma', says='w.firma: it is no recording')
+
+    def write_lift(self, name, extras, more=()):
+        """A room of 8 m and in it slabs of 2 x 2 x 0.25 m, nodes that are parts; fronts outside. y is up."""
+        nodes = [{'mesh': 0, 'name': 'room'}]
+        for part, place, its in [('lift', [3, 0.5, 3], extras), *more]:
+            nodes.append({'mesh': 1, 'name': part, 'translation': place, 'scale': [0.25, 0.03125, 0.25],
+                          'extras': {'part': True, **its}})
+        document, data = room((8, 8, 8), nodes, TRIANGLES + TRIANGLES[::-1], uri=False)
+        count = len(TRIANGLES)
+        document['accessors'][1]['count'] = count
+        document['accessors'].append({'bufferView': 1, 'byteOffset': 2 * count, 'componentType': 5123, 'count': count,
+                                      'type': 'SCALAR'})
+        document['meshes'].append({'primitives': [{'attributes': {'POSITION': 0}, 'indices': 2}]})
+        text = json.dumps(document).encode()
+        text += b' ' * (-len(text) % 4)
+        data += bytes(-len(data) % 4)
+        self.write(name, struct.pack('<4sIIII', b'glTF', 2, 28 + len(text) + len(data), len(text), 0x4e4f534a) + text +
+                   struct.pack('<II', len(data), 0x004e4942) + data)
+
+    LIFT = {'stops': [{'seconds': 1}, {'position': [0, 0, 3], 'wait': 'forever'}]}
+    RIDE = [{'time': 0, 'player': {'position': [4, -4, 0.76]}}, {'time': 0.5, 'part': 'lift'}]
+
+    def ride(self, *more, script, level='lift.glb'):
+        self.write('ride.json', json.dumps(script))
+        return self.simulate(*more, level=level, script='ride.json', seconds=2)
+
+    def test_parts_of_glb_carry_who_stands_on_them(self):
+        self.write_lift('lift.glb', {'motion': self.LIFT})
+        info = self.firma_json('info', 'lift.glb')
+        self.assertEqual(info['gltf']['parts'], [{'name': 'lift', 'node': 1, 'faces': 12}])
+        self.assertEqual(info['faces']['total'], 12)
+        self.assertRegex(self.firma('info', 'lift.glb'), 'parts that move +1, whose faces are not counted')
+        told = self.ride(script={'events': self.RIDE})
+        self.assertEqual(told['game']['parts'], 1)
+        player = told['game']['players'][0]
+        # Up with it, by 3 m.
+        self.assertTrue(player['on_ground'])
+        self.assertAlmostEqual(player['position'][2], 3.75, delta=0.01)
+        replayed = self.firma_json('replay', 'r.firmarec')
+        self.assertTrue(replayed['holds'])
+        self.assertEqual((replayed['same'], replayed['hash']), (120, told['hash']))
+        # Nobody sets it off: it stands where it was drawn, with who stands on it.
+        told = self.ride(script={'events': self.RIDE[:1]})
+        self.assertAlmostEqual(told['game']['players'][0]['position'][2], 0.75, delta=0.01)
+
+    def test_a_script_says_how_parts_of_glb_go(self):
+        # Without a motion a part stands; the script has one for it, the same as the level had.
+        self.write_lift('lift.glb', {'motion': json.dumps(self.LIFT)})
+        by_level = self.ride(script={'events': self.RIDE})
+        self.write_lift('lift.glb', {})
+        by_script = self.ride(script={'parts': [{'name': 'lift', **self.LIFT}], 'events': self.RIDE})
+        self.assertEqual(by_script['hash'], by_level['hash'])
+        stands = self.ride(script={'events': self.RIDE})
+        self.assertAlmostEqual(stands['game']['players'][0]['position'][2], 0.75, delta=0.01)
+        # A saved game has it, and others can load it.
+        self.ride('--save', 'lift.firma', script={'parts': [{'name': 'lift', **self.LIFT}], 'events': self.RIDE})
+        self.write('later.json', json.dumps({'events': []}))
+        later = self.simulate(level='lift.firma', script='later.json', seconds=1, out='l.firmarec')
+        self.assertAlmostEqual(later['game']['players'][0]['position'][2], 3.75, delta=0.01)
+
+    def test_parts_of_glb_have_names_of_their_own(self):
+        self.write_lift('lift.glb', {}, [('lift', [0, 0.5, 0], {}), ('', [6, 0.5, 6], {})])
+        told = self.ride(script={'events': self.RIDE + [{'time': 0, 'part': name} for name in ('part_1', 'part_2')]})
+        self.assertEqual(told['game']['parts'], 3)
+        self.write('none.json', json.dumps({'events': [{'time': 0, 'part': 'part_3'}]}))
+        self.refuse('simulate', 'lift.glb', '--script', 'none.json', '--seconds', '1', '-o', 'x.firmarec',
+                    says="there is no part 'part_3'")
+
+    def test_faults_of_motions_in_glb_are_refused_with_their_node(self):
+        call = ['simulate', 'lift.glb', '--script', 's.json', '--seconds', '1', '-o', 'x.firmarec']
+        for motion, says in [({'stop': []}, "node 1: motion: there is no key 'stop' here"),
+                             ('{"stops": ', 'node 1: motion: at line 1'), (3, 'node 1: motion: is not an object'),
+                             ({'stops': [{'wait': 'x'}]}, 'node 1: motion: stop 0: wait: is not a number')]:
+            self.write_lift('lift.glb', {'motion': motion})
+            self.refuse(*call, says=says)
+        self.write_lift('lift.glb', {'firma_motion': {'axis': [0, 0, 0]}})
+        self.refuse(*call, says='node 1: firma_motion: axis: is no direction')
 
     def refuse_script(self, script, says):
         self.write('f.json', script if isinstance(script, str) else json.dumps(script))

@@ -54,6 +54,16 @@ TEST(GltfParts, WhoIsOne) {
     EXPECT_EQ(parts(R"({"name":"empty","extras":{"part":true}})"), 0u);
 }
 
+TEST(GltfParts, OneWithoutANameHasThatAboveItOrNone) {
+    const GltfLevel alone = boxes(R"({"mesh":0,"name":"room"},{"mesh":0,"extras":{"part":true}})", "0,1");
+    ASSERT_EQ(alone.parts.size(), 1u);
+    EXPECT_EQ(alone.parts[0].name, "");
+    const GltfLevel below =
+        boxes(R"({"mesh":0,"name":"room"},{"name":"gate","children":[2]},{"mesh":0,"extras":{"part":true}})", "0,1");
+    ASSERT_EQ(below.parts.size(), 1u);
+    EXPECT_EQ(below.parts[0].name, "gate");
+}
+
 TEST(GltfParts, WhatIsBelowComesAlongButForPartsThere) {
     const GltfLevel gltf = boxes(
         R"({"mesh":0},{"name":"train","translation":[10,0,0],"extras":{"part":true},"children":[2,3]},)"

@@ -141,7 +141,6 @@ TEST_P(PlayerLevelChanges, OnTheGroundOfCratersItComesToStandStill) {
             ASSERT_TRUE(crater.done());
             if (reference::opens_way_out(world(), crater.world)) continue;
             if (has_hole(crater.world, place.at)) continue;
-            if (level() == 2 && std::get<1>(GetParam()) == 1 && seed == 2) continue;  // the test below
             Walk walk(crater.world, shape(), place.at + Vec3{0.2 * double(seed) - 0.4, 0.1, 0.5});
             walk.wait(120);
             EXPECT_TRUE(walk.player.on_ground) << seed;
@@ -156,9 +155,9 @@ TEST_P(PlayerLevelChanges, OnTheGroundOfCratersItComesToStandStill) {
     EXPECT_GE(stood, 3u);
 }
 
-// A fault of the library that is known: in the fold of this crater the box never comes to rest, and at tick 48 it is
-// 0.55 mm in the level.
-TEST(DISABLED_PlayerLevelChanges, ABoxInTheFoldOfACraterComesToStandStill) {
+// Between two slopes and the rim of a sheet over them: what it fell by in a tick was less than the contact offset, so
+// it never met all three in one, and was never held.
+TEST(PlayerFold, ABoxInTheFoldOfACraterComesToStandStill) {
     if (openarena_maps().empty()) GTEST_SKIP() << kNoOpenArena;
     const CarveResult crater =
         carve(blasted_level("oa_koth1").world, make_crater(CutterShape::kRocky, 2), pose_at(-5.5, 16, -3.375, 0.75));
@@ -169,6 +168,39 @@ TEST(DISABLED_PlayerLevelChanges, ABoxInTheFoldOfACraterComesToStandStill) {
     const Vec3 at = walk.at();
     walk.wait(60);
     EXPECT_EQ(walk.at(), at);
+}
+
+// Begun anywhere in rock, at most 6 m from where it fits.
+TEST_P(PlayerLevelChanges, DeepInTheLevelItIsStuckOnlyWhereNothingNearIsFree) {
+    const std::vector<bool> outside = reference::rooms_outside(world());
+    const PlayerShape shape = this->shape();
+    const auto is_free = [&](const Vec3& feet) {
+        const Location at = locate(world(), feet + Vec3{0, 0, 0.9});
+        return at.where == Where::kAir && !outside[at.room.value] && player_fits(world(), shape, feet);
+    };
+    const Box box = world().bounds();
+    scenes::Rng rng(7);
+    int begun = 0, stuck = 0;
+    while (begun < 150) {
+        const double x = rng.uniform(box.low.x, box.high.x), y = rng.uniform(box.low.y, box.high.y);
+        const Vec3 from{x, y, rng.uniform(box.low.z, box.high.z)};
+        if (!is_free(from)) continue;
+        Walk walk(world(), shape, from);
+        const double far = rng.uniform(0, 6);
+        walk.player.position += rng.direction() * far;
+        walk.player.room = locate(world(), from + Vec3{0, 0, 0.9}).room;
+        if (locate(world(), walk.at() + Vec3{0, 0, 0.9}).where == Where::kAir) continue;
+        ++begun;
+        const Vec3 in = walk.at();
+        walk.wait(1);
+        if (!walk.player.stuck) continue;
+        ++stuck;
+        for (int k = 0; k < 4000; ++k) {
+            const double reach = rng.uniform(0, 0.95) * walk.rules.max_push;
+            EXPECT_FALSE(is_free(in + rng.direction() * reach)) << in.x << ' ' << in.y << ' ' << in.z;
+        }
+    }
+    EXPECT_LT(stuck, begun / 10);
 }
 
 /// A player and one part by its path, judged in each tick.

@@ -200,6 +200,38 @@ TEST_P(PlayerWalks, AgainstAWallAtAnyAngleItSlidesOnAndKeepsItsOffset) {
     }
 }
 
+// A way shorter than the contact offset does not lead to the wall in a tick: it was gone, and backed off from again.
+TEST_P(PlayerWalks, TowardAWallSlowerThanTheOffsetATickItStandsStillOrSlides) {
+    const World world = course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock"));
+    for (const double speed : {1e-4, 0.01, 0.03, 0.059, 0.06, 0.1})
+        for (const double angle : {0.0, 0.8, 1.4}) {
+            Walk walk = this->walk(world, {1.6, 0, kOffset});
+            walk.go({1, 0, 0}, 30);
+            walk.go({speed, 0, 0}, 1);
+            const Vec3 from = walk.at();
+            EXPECT_NEAR(from.x, 2 - 0.3 - kOffset, 1e-6);
+            for (int k = 1; k <= 120; ++k) {
+                walk.go({speed * std::cos(angle), speed * std::sin(angle), 0}, 1);
+                EXPECT_NEAR(walk.at().x, from.x, 1e-12) << speed << ' ' << angle << ' ' << k;
+                EXPECT_NEAR(walk.at().y - from.y, speed * std::sin(angle) * k / 60, 1e-9) << speed << ' ' << angle;
+            }
+        }
+}
+
+TEST_P(PlayerWalks, TowardAWallSlowerThanTheOffsetATickItComesToTheOffset) {
+    const World world = course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock"));
+    for (const double speed : {0.01, 0.03, 0.05}) {
+        Walk walk = this->walk(world, {1.69, 0, kOffset});
+        double last = walk.at().x;
+        for (int k = 0; k < int(0.01 / speed * 60) + 30; ++k) {
+            walk.go({speed, 0, 0}, 1);
+            EXPECT_GE(walk.at().x, last) << speed << ' ' << k;
+            last = walk.at().x;
+        }
+        EXPECT_NEAR(last, 2 - 0.3 - kOffset, 1e-9) << speed;
+    }
+}
+
 TEST_P(PlayerWalks, IntoACornerItStopsStill) {
     Walk walk = this->walk(
         course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock") + map_text::box({-8, 2, -1}, {2, 3, 4}, "rock")),

@@ -93,6 +93,9 @@ TEST_P(PlayerWorlds, AtTheEdgeOfAFreshHoleItStandsOrFallsAndNothingElse) {
         // On the floor it is where it was; below it, it fell by the hole, which is where it is.
         const bool below = walk.at().z < -2;
         (below ? fell : stood)++;
+        const Vec3 at = walk.at();
+        walk.wait(30);
+        EXPECT_EQ(walk.at(), at) << k;
         EXPECT_TRUE(below || walk.at().z > -0.45) << k << ' ' << walk.at().z;
         if (below) {
             EXPECT_NEAR(walk.at().z, -4 + kOffset, 1e-4);
@@ -147,6 +150,24 @@ TEST_P(PlayerWorlds, NeverOutOfTheLevelThroughAThinWall) {
         EXPECT_FALSE(walk.player.stuck) << x;
         EXPECT_FALSE(reference::rooms_outside(house)[walk.player.room.value]) << x;
         EXPECT_LT(walk.at().x, 3.8 - 0.3) << x;
+    }
+}
+
+// A hollow in rock, as far away and as large as said, in a direction at random.
+TEST_P(PlayerWorlds, DeepInRockItIsPutIntoAHollowWhereverThatIs) {
+    const World rock = brush_world(map_text::box({-16, -16, -16}, {16, 16, 16}, "rock"));
+    scenes::Rng rng(5);
+    for (int k = 0; k < 60; ++k) {
+        const double far = rng.uniform(1, 3.2);
+        const Vec3 hollow = rng.direction() * far;
+        const TriangleMesh room = box_mesh({-0.4, -0.4, -0.1}, {0.4, 0.4, 1.9});
+        const CarveResult made = carve(rock, room.cutter().value(), pose_at(hollow.x, hollow.y, hollow.z, 1));
+        ASSERT_TRUE(made.done());
+        Walk walk = this->walk(made.world, {0, 0, 0});
+        walk.wait(1);
+        EXPECT_FALSE(walk.player.stuck) << k << ": " << hollow.x << ' ' << hollow.y << ' ' << hollow.z;
+        EXPECT_LT(length(walk.at() - hollow), 0.3) << k;
+        EXPECT_LE(length(walk.last.pushed), walk.rules.max_push) << k;
     }
 }
 
@@ -215,6 +236,20 @@ TEST_P(PlayerWorlds, OverPitsAndHumpsOfADetailedMesh) {
     const double from = walk.at().x;
     walk.go({3, 0, 0}, 100);
     EXPECT_GT(walk.at().x, from + 4);  // 5 m would be on flat ground
+}
+
+// docs/players.md: what moves along a one-sided face passes its rim.
+TEST_P(PlayerWorlds, LevelIntoTheRimOfASheetItGoesOn) {
+    Level level = empty_level();
+    add_polygon(level, {{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}});
+    add_polygon(level, {{1, -2, 0.6}, {3, -2, 0.6}, {3, 2, 0.6}, {1, 2, 0.6}});
+    const World world = make_world(level).value();
+    const PlayerShape shape = player_shapes()[std::size_t(GetParam())];
+    Player player;
+    player.position = {0, 0, kOffset};
+    for (int k = 0; k < 60; ++k) player = move_player(world, shape, player, {.velocity = {2, 0, 0}}, 1.0 / 60).player;
+    EXPECT_GT(player.position.x, 1.5);
+    EXPECT_FALSE(player_fits(world, shape, player.position));
 }
 
 TEST_P(PlayerWorlds, AtAnySpeedItPassesNoWall) {

@@ -4,25 +4,19 @@
 
 #include <cmath>
 #include <ctime>
-#include <deque>
-#include <vector>
 
-#include "firma/carve.h"
-#include "firma/rooms.h"
 #include "player/player_shape.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
+#include "tests/reference/changing_level.h"
 #include "tests/reference/parts_near.h"
-#include "tests/reference/rooms_outside.h"
 
 namespace firma::reference {
 namespace {
 
-constexpr std::size_t kMaxPast = 8;    // worlds that may come back
 constexpr double kEveryEvent = 2;      // seconds between changes of the world, about
 constexpr double kEveryLife = 30;      // seconds after which the player begins elsewhere, about
 constexpr double kEveryParts = 5;      // seconds after which the lift and the leaf are hung up anew, about
-constexpr double kNear = 6;            // metres: changes are made around the player
 constexpr double kFreeWay = 0.1;       // metres
 constexpr double kMostPushed = 0.012;  // metres: eight slides that back off by the contact offset each, and four more
 constexpr double kFastest = 10;        // metres a second that are wished
@@ -31,25 +25,24 @@ constexpr int kRings = 10, kOnRing = 50;  // places that are tried where a playe
 class PlayerGame {
 public:
     PlayerGame(const World& level, const PlayerShape& shape, const PlayerRun& run)
-        : level_(with_anchors(level)),
-          world_(level_),
-          shape_(shape),
-          run_(run),
-          rng_(run.seed),
-          outside_(rooms_outside(world_)) {
+        : level_(level), shape_(shape), run_(run), rng_(run.seed) {
         walls_ = scenes::cut_places(level).inside;
     }
 
     PlayerVerdict play() {
         begin_somewhere();
         for (; verdict_.frames < run_.frames && verdict_.fault.empty(); ++verdict_.frames) {
-            if (rng_.chance(1 / (kEveryEvent * run_.rate))) change_world();
+            if (rng_.chance(1 / (kEveryEvent * run_.rate)))
+                level_.change(player_.position, player_.position + shape_.up() * (shape_.height() * 0.5), rng_);
             if (rng_.chance(1 / (kEveryLife * run_.rate))) begin_somewhere();
             if (rng_.chance(1 / (kEveryParts * run_.rate))) hang_parts();
             if (rng_.chance(1 / run_.rate)) wish_anew();
             move();
             if (verdict_.frames % 60 == 59 && verdict_.fault.empty() && !player_.stuck) try_ways();
         }
+        const ChangingLevel::Counts& counts = level_.counts();
+        verdict_.cuts = counts.cuts, verdict_.fills = counts.fills;
+        verdict_.undone = counts.undone, verdict_.doors = counts.doors;
         return verdict_;
     }
 
@@ -62,8 +55,7 @@ private:
     }
 
     bool is_inside(const Vec3& feet) const {
-        const Location at = locate(world_, feet + shape_.up() * (shape_.height(player_.crouched) * 0.5));
-        return at.where == Where::kAir && !outside_[at.room.value];
+        return level_.is_inside(feet + shape_.up() * (shape_.height(player_.crouched) * 0.5));
     }
 
     void begin_somewhere() {
@@ -78,7 +70,7 @@ private:
             const double i = rng_.uniform(0, 1), j = rng_.uniform(0, 1 - i), far = rng_.uniform(0.1, 2);
             player_.position = a + (b - a) * i + (c - a) * j + out * (far / length(out));
             if (!is_inside(player_.position)) continue;
-            parts_.put(world_, player_.position, rng_);
+            parts_.put(world(), player_.position, rng_);
             if (player_fits(now(), shape_, player_.position)) return;
         }
     }
@@ -86,7 +78,7 @@ private:
     /// Where it is by now, if there is room for it among them.
     void hang_parts() {
         if (player_.stuck || crushed_ || player_.ground_part != kNoPart) return;
-        parts_.put(world_, player_.position, rng_);
+        parts_.put(world(), player_.position, rng_);
         if (!player_fits(now(), shape_, player_.position, player_.crouched)) parts_.remove();
     }
 
@@ -101,65 +93,10 @@ private:
         wish_.careful = rng_.chance(0.2);
     }
 
-    void put(World world) {
-        past_.push_back(world_);
-        if (past_.size() > kMaxPast) past_.pop_front();
-        world_ = std::move(world);
-        outside_ = rooms_outside(world_);
-    }
-
-    void change_world() {
-        const std::uint32_t kind = rng_.below(10);
-        if (kind < 5) return cut();
-        if (kind < 7) return fill_near();
-        if (kind < 8) return toggle_door();
-        if (past_.empty()) return;
-        ++verdict_.undone;
-        if (kind == 8) return put(past_[rng_.below(std::uint32_t(past_.size()))]);
-        put(level_);
-    }
-
-    Pose near_pose(const Vec3& at, double least, double most) {
-        Pose pose;
-        pose.position = at;
-        pose.scale = rng_.uniform(least, most);
-        return pose;
-    }
-
-    void cut() {
-        const Vec3 from = player_.position + shape_.up() * (shape_.height() * 0.5);
-        const Hit hit = cast(world_, Ray{from, rng_.direction() * kNear});
-        if (!hit) return;
-        const auto shape = CutterShape(rng_.below(2));
-        const CarveResult made = carve(world_, make_crater(shape, rng_.next()), near_pose(hit.point, 0.3, 2));
-        if (!made.done() || opens_way_out(world_, made.world)) return;
-        ++verdict_.cuts;
-        put(made.world);
-    }
-
-    void fill_near() {
-        const Vec3 at = player_.position + rng_.direction() * rng_.uniform(0, 2);
-        const CarveResult made =
-            fill(world_, make_crater(CutterShape(rng_.below(2)), rng_.next()), near_pose(at, 0.2, 1.5));
-        if (!made.done()) return;
-        ++verdict_.fills;
-        put(made.world);
-    }
-
-    void toggle_door() {
-        if (portal_count(world_) == 0) return;
-        const PortalId portal{rng_.below(std::uint32_t(portal_count(world_)))};
-        const std::optional<PortalInfo> info = portal_info(world_, portal);
-        const std::optional<World> changed = set_portal_open(world_, portal, !info->open);
-        if (!changed) return;
-        ++verdict_.doors;
-        put(*changed);
-    }
-
     void move() {
         const Player before = player_;
         parts_.go_on(1 / run_.rate);
-        const Scene scene{world_, parts_.moving()};
+        const Scene scene{world(), parts_.moving()};
         const std::clock_t start = std::clock();
         const PlayerMove moved = move_player(scene, shape_, before, wish_, 1 / run_.rate, rules_);
         verdict_.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -199,12 +136,13 @@ private:
         const bool same_world = !before.stuck && before.world_hash == player_.world_hash;
         if (same_world && length(moved.pushed) > kMostPushed)
             fail("was pushed by " + std::to_string(length(moved.pushed)) + " m by nothing that came");
-        if (far > asked * (1 + 1e-9) + 1e-9 + (moved.stepped ? 2 * world_.tolerance().contact_offset : 0))
+        if (far > asked * (1 + 1e-9) + 1e-9 + (moved.stepped ? 2 * world().tolerance().contact_offset : 0))
             fail("went " + std::to_string(far) + " m sideways where " + std::to_string(asked) + " were asked");
     }
 
+    const World& world() const { return level_.world(); }
     /// The parts standing where they have come to.
-    Scene now() const { return {world_, parts_.standing()}; }
+    Scene now() const { return {world(), parts_.standing()}; }
 
     /// Whether a stuck one has room: the nearest of places all around it, as far as it may be moved, that is free.
     void look_for_free_places(const Scene& scene) {
@@ -235,7 +173,7 @@ private:
                         "part " + std::to_string(overlap.part) + " by " + std::to_string(overlap.depth * 1e6) + " um";
                 return true;
             }
-            const std::optional<FaceInfo> face = world_.face_info(overlap.face);
+            const std::optional<FaceInfo> face = world().face_info(overlap.face);
             const bool in_front = !face || dot(middle - overlap.point, face->normal) > 0;
             if ((!face || face->solid) && in_front && overlap.depth > kRounding)
                 what = "the level by " + std::to_string(overlap.depth * 1e6) + " um";
@@ -259,7 +197,7 @@ private:
     /// Where a way is free for a bit, a second of walking leads there, or somewhere.
     void try_ways() {
         if (!player_.on_ground || crushed_) return;
-        const Vec3 raised = player_.position + shape_.up() * (2 * world_.tolerance().contact_offset);
+        const Vec3 raised = player_.position + shape_.up() * (2 * world().tolerance().contact_offset);
         Vec3 way = rng_.direction();
         way.z = 0;
         if (length(way) < 0.1) return;
@@ -290,15 +228,12 @@ private:
         return 1;
     }
 
-    const World level_;
-    World world_;
+    ChangingLevel level_;
     const PlayerShape& shape_;
     const PlayerRun& run_;
     const PlayerRules rules_;
     scenes::Rng rng_;
     Level walls_;
-    std::vector<bool> outside_;
-    std::deque<World> past_;
     PartsNear parts_;
     Player player_;
     PlayerWish wish_;

@@ -48,16 +48,18 @@ export function getBodyId(core, at) {
     return BigInt.asUintN(32, id) === NO_BODY ? null : id;
 }
 
-/** A body's name to where the module finds it: structs of two words go by address. @returns the address */
-export function putBodyId(core, id, place) {
+/** A body's name to an address, which is returned. */
+export function putBodyIdAt(core, at, id, place) {
     if (typeof id !== 'bigint' || BigInt.asUintN(64, id) !== id)
         throw badCall(place, 'the body must be what add() gave, a BigInt');
-    const at = core.at.out + 8;
     core.setU64(at, id);
     return at;
 }
 
-/** How spheres are fitted into a chunk. @returns the address of the struct */
+/** A body's name to where the module finds it: structs of two words go by address. @returns the address */
+export const putBodyId = (core, id, place) => putBodyIdAt(core, core.at.out + 8, id, place);
+
+/** How spheres are fitted into a solid. @returns the address of the struct */
 export function putFit(core, fit, place) {
     const at = fresh(core, 'fitOptions');
     putMembers(core, at, FIT_OPTIONS, FIT_KINDS, object(fit, place, 'the fit', FIT_NAMES), place);

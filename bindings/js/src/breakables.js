@@ -2,6 +2,7 @@
 // Parts that break: what they bear, broken at once, or carved until they do.
 import { flag, longWord, number, object, word, words } from './arguments.js';
 import { putBlast } from './blasts.js';
+import { BREAKABLE_KINDS, getBreakable } from './breakable.js';
 import { putCarveOptions, putPose } from './carving.js';
 import { bodiesNamed } from './debris_named.js';
 import { badCall } from './errors.js';
@@ -18,7 +19,6 @@ const { fresh, toFill } = structTable({
     report: [BREAK_REPORT],
 });
 
-const BREAKABLE_KINDS = { health: 'number', whole: 'number', maxTaken: 'number', damage: 'number', broken: 'flag' };
 const BREAKABLE_NAMES = ['matter', ...Object.keys(BREAKABLE_KINDS)];
 const BREAK_KINDS = {
     maxPieces: 'word',
@@ -42,13 +42,6 @@ function putBreakable(core, breakable, place) {
     core.setU32(at + BREAKABLE.matter, orNone(given.matter, place, 'matter'));
     putMembers(core, at, BREAKABLE, BREAKABLE_KINDS, given, place);
     return at;
-}
-
-function getBreakable(core, at) {
-    return {
-        matter: orNull(core.getU32(at + BREAKABLE.matter)),
-        ...getMembers(core, at, BREAKABLE, BREAKABLE_KINDS),
-    };
 }
 
 /** To an address that holds the defaults. */

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Projectiles among parts that move meanwhile.
+// Projectiles among parts that move meanwhile, and by rules of a program's own.
 import { SHOT_EVENT } from './layout.js';
 import { flyIn, getEvent } from './projectiles.js';
 import { putScene } from './scenes.js';
+import { putRule } from './shot_rules.js';
 import { orNull } from './structs.js';
 
 /** An event with the part that was met. */
@@ -14,8 +15,10 @@ export function getPartEvent(core, at, lengths) {
     };
 }
 
+const RULE = { names: ['rule'], put: (core, at, { rule }, place) => putRule(core, at, rule, place) };
+
 export function flyScene(core, projectiles, scene, seconds, options) {
     const place = 'flyScene';
     const where = putScene(core, scene, place);
-    return flyIn(core, 'firma_fly_scene', where, projectiles, seconds, options, place, getPartEvent);
+    return flyIn(core, 'firma_fly_scene', where, projectiles, seconds, options, place, getPartEvent, RULE);
 }

@@ -2,6 +2,7 @@
 // All that moves, over a module that has it: of 'firma/games' and 'firma/recordings'.
 import { Bodies, BodyShape, massOfBall, massOfBox } from './bodies.js';
 import { Firma } from './firma.js';
+import { pathAtFirstStop, pathMotion, pathPose } from './part_paths.js';
 import { movePlayer, playerBox, playerCapsule, playerFits, playerSpheres } from './players.js';
 import { fly, hashProjectiles } from './projectiles.js';
 import { castScene, castSceneAny, overlapScene, Parts } from './scenes.js';
@@ -32,6 +33,18 @@ export class Games extends Firma {
 
     parts() {
         return Parts.create(this.#core);
+    }
+
+    pathPose(path, seconds) {
+        return pathPose(this.#core, path, seconds);
+    }
+
+    pathMotion(path, from, to) {
+        return pathMotion(this.#core, path, from, to);
+    }
+
+    pathAtFirstStop(path, seconds) {
+        return pathAtFirstStop(this.#core, path, seconds);
     }
 
     castScene(scene, input, options) {

@@ -765,6 +765,26 @@ export const PART_NEAR = Object.freeze({
     reserved: 124,
 });
 
+/** firma_set_hit */
+export const SET_HIT = Object.freeze({
+    sizeof: 160,
+    hit: 0,
+    sphere: 152,
+    reserved: 156,
+});
+
+/** firma_set_pair_hit */
+export const SET_PAIR_HIT = Object.freeze({
+    sizeof: 72,
+    fraction: 0,
+    point: 8,
+    normal: 32,
+    status: 56,
+    sphereA: 60,
+    sphereB: 64,
+    reserved: 68,
+});
+
 /** firma_player_size */
 export const PLAYER_SIZE = Object.freeze({
     sizeof: 56,
@@ -1076,6 +1096,29 @@ export const BODY_CONTACT = Object.freeze({
     part: 92,
 });
 
+/** firma_body_hit */
+export const BODY_HIT = Object.freeze({
+    sizeof: 128,
+    fraction: 0,
+    centre: 8,
+    point: 32,
+    normal: 56,
+    surfaceVelocity: 80,
+    body: 104,
+    bodySphere: 112,
+    sphere: 116,
+    status: 120,
+    reserved: 124,
+});
+
+/** firma_body_cast_options */
+export const BODY_CAST_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    mask: 4,
+    except: 8,
+});
+
 /** firma_projectile */
 export const PROJECTILE = Object.freeze({
     sizeof: 88,
@@ -1099,9 +1142,28 @@ export const SHOT_TERMS = Object.freeze({
     resistance: 24,
 });
 
+/** firma_shot_impact */
+export const SHOT_IMPACT = Object.freeze({
+    sizeof: 152,
+    point: 0,
+    normal: 24,
+    velocity: 48,
+    surface: 72,
+    mass: 96,
+    projectile: 104,
+    face: 108,
+    corner: 112,
+    portal: 124,
+    body: 128,
+    material: 136,
+    pane: 140,
+    part: 144,
+    reserved: 148,
+});
+
 /** firma_fly_options */
 export const FLY_OPTIONS = Object.freeze({
-    sizeof: 144,
+    sizeof: 152,
     size: 0,
     maxImpacts: 4,
     gravity: 8,
@@ -1114,6 +1176,8 @@ export const FLY_OPTIONS = Object.freeze({
     bodies: 104,
     matters: 136,
     matterCount: 140,
+    rule: 144,
+    user: 148,
 });
 
 /** firma_shot_event */

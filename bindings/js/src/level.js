@@ -4,16 +4,20 @@ import { CORE, Handle, ID } from './handle.js';
 import { BOX, ENTITY, LEVEL_VIEW, OMISSION } from './layout.js';
 
 export class Level extends Handle {
-    #world;
+    #make;
 
-    /** @param world  makes a World of a level's handle and options */
-    constructor(core, id, world) {
+    /** @param make { world, parts }: each makes that of a level's handle and options */
+    constructor(core, id, make) {
         super(core, id, 'firma_level_release');
-        this.#world = world;
+        this.#make = make;
     }
 
     world(options) {
-        return this.#world(this[ID], options);
+        return this.#make.world(this[ID], options);
+    }
+
+    parts(options) {
+        return this.#make.parts(this[ID], options);
     }
 
     entities() {

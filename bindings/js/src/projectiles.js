@@ -178,7 +178,7 @@ function bytesOf(projectiles, place) {
     return projectiles[BYTES];
 }
 
-function putTerms(core, at, terms, place, what) {
+export function putTerms(core, at, terms, place, what) {
     putMembers(core, at, SHOT_TERMS, TERM_KINDS, object(terms, place, what, TERM_NAMES), place);
 }
 
@@ -246,24 +246,29 @@ function getEvents(core, handle, get) {
     return many('events', SHOT_EVENT, (one) => get(core, one, lengths));
 }
 
+/** What fly() takes no more of than its options say. */
+const PLAIN = { names: [], put: () => undefined };
+
 /**
  * @param called  the function of the module
  * @param where  what it takes after the projectiles: a world's handle, or the address of a scene
  * @param get  of each event, as getEvent()
+ * @param more  names of further options, and what puts them: put(core, address, given, place) gives a visitor, or nothing
  */
-export function flyIn(core, called, where, projectiles, seconds, options, place, get) {
+export function flyIn(core, called, where, projectiles, seconds, options, place, get, more = PLAIN) {
     const bytes = bytesOf(projectiles, place);
     number(seconds, place, 'seconds');
-    const given = object(options, place, 'the options', FLY_NAMES);
+    const given = object(options, place, 'the options', [...FLY_NAMES, ...more.names]);
     const bodies = given.bodies === undefined ? 0n : idOf(given.bodies, core, place, 'list of bodies');
     const wanted = given.events === undefined || flag(given.events, place, 'events') === 1;
     return core.borrow((lent) => {
         const chosen = putFlyOptions(core, lent, given, place);
+        const visit = more.put(core, chosen, given, place);
         const at = lent.bytes(bytes);
         const report = toFill(core, 'flyReport');
         const events = wanted ? makeHandle(core, 'firma_shot_events_create') : 0n;
         try {
-            core.run(called, at, projectiles.count, where, bodies, seconds, chosen, events, report);
+            core.runVisited(visit, called, at, projectiles.count, where, bodies, seconds, chosen, events, report);
             bytes.set(core.u8.subarray(at, at + bytes.length));
             const counts = ['flying', 'chords', 'impacts'].map((name) => [name, core.getCount(report + FLY_REPORT[name])]);
             return { ...Object.fromEntries(counts), events: wanted ? getEvents(core, events, get) : [] };

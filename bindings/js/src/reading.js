@@ -4,6 +4,7 @@ import { makeHandle } from './handle.js';
 import { bytes, number, object, text } from './arguments.js';
 import { Cutter } from './carving.js';
 import { Level } from './level.js';
+import { takeLevelParts } from './level_parts.js';
 import { takeMatters } from './matters.js';
 import { World } from './world.js';
 import { putName, putWorldOptions, readWorldOptions } from './world_options.js';
@@ -82,10 +83,17 @@ function levelOfFile(format, file, options, place) {
             );
             return moveWorld(readers, core, made);
         };
+        const parts = (id, chosen) => {
+            const options = readWorldOptions(chosen, 'parts');
+            const made = readers.borrow((lent) =>
+                makeHandle(readers, 'firma_parts_from_level', id, putWorldOptions(readers, lent, options)),
+            );
+            return takeLevelParts(readers, made, (one) => moveWorld(readers, core, one));
+        };
         return readers.borrow((lent) => {
             const at = lent.bytes(data);
             const name = putName(lent, called);
-            return new Level(readers, makeHandle(readers, format, at, data.length, name, scale), world);
+            return new Level(readers, makeHandle(readers, format, at, data.length, name, scale), { world, parts });
         });
     });
 }

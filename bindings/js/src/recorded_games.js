@@ -10,6 +10,7 @@ import { getPartEvent } from './fly_scene.js';
 import { CORE, Handle, ID, idOf, makeHandle, takeBytes } from './handle.js';
 import * as layout from './layout.js';
 import { EditLog } from './logs.js';
+import { MOTION_KINDS, putPath, WHEN_BLOCKED_NAMES } from './part_paths.js';
 import { getMove, getPlayer, PlayerShape, putPlayerAt, RULE_KINDS, SIZE_KINDS, WISH_KINDS } from './players.js';
 import { getProjectiles, TERM_KINDS } from './projectiles.js';
 import { Parts } from './scenes.js';
@@ -23,7 +24,6 @@ const { fresh, toFill } = structTable({
     facts: [layout.GAME_FACTS],
     part: [layout.GAME_PART, 'firma_game_part_defaults'],
     partState: [layout.GAME_PART_STATE],
-    path: [layout.PART_PATH],
     player: [layout.GAME_PLAYER, 'firma_game_player_defaults'],
     playerMove: [layout.PLAYER_MOVE],
     playerSize: [layout.PLAYER_SIZE],
@@ -45,8 +45,6 @@ const {
     GAME_REPORT,
     GAME_RULES,
     MOTION,
-    PART_PATH,
-    PART_STOP,
     WEAPON,
 } = layout;
 
@@ -63,24 +61,13 @@ const WEAPON_KINDS = {
 const WEAPON_NAMES = [...Object.keys(WEAPON_KINDS), 'name', 'terms', 'bodies', 'charge'];
 const RULES_KINDS = { minChunkVolume: 'number', chunkDensity: 'number', maxBlastSpeed: 'number' };
 const RULES_NAMES = [...Object.keys(RULES_KINDS), 'chunks', 'seed', 'bodies', 'debris'];
-const PATH_KINDS = { repeats: 'flag', rotation: 'quaternion', axis: 'vector', spin: 'number' };
-const SWING_KINDS = { reach: 'vector', angle: 'number', period: 'number', phase: 'number' };
-const SWING_FIELDS = {
-    reach: PART_PATH.swingReach,
-    angle: PART_PATH.swingAngle,
-    period: PART_PATH.swingPeriod,
-    phase: PART_PATH.swingPhase,
-};
-const STOP_KINDS = { position: 'vector', angle: 'number', wait: 'number', seconds: 'number' };
 const PART_NAMES = ['world', 'mask', 'path', 'name', 'entity', 'waits', 'whenBlocked', 'findPortals', 'portals'];
-const WHEN_BLOCKED_NAMES = layout.WHEN_BLOCKED_NAMES.map((name) => name.replace('blocked_', ''));
 const PLAYER_NAMES = ['shape', 'mass', 'player', 'wish', 'rules'];
 const MOVED_NAMES = Object.keys(BODY_KINDS).filter((name) => name !== 'position' && name !== 'rotation');
 const MOVED_KINDS = Object.fromEntries(MOVED_NAMES.map((name) => [name, BODY_KINDS[name]]));
 const FACT_COUNTS = ['tick', 'explosions', 'weapons', 'parts', 'players', 'projectiles', 'bodies'];
 const REPORT_COUNTS = ['edits', 'nothing', 'refused', 'loose', 'broken', 'removed', 'grounded'];
 const EXPLOSION_COUNTS = ['broken', 'unfit', 'dust', 'reached', 'pushed'];
-const MOTION_KINDS = { position: 'vector', rotation: 'quaternion', path: 'vector', turn: 'vector' };
 const NO_TICK = 0xffffffffffffffffn;
 
 /** Over what is there. @returns the address */
@@ -141,27 +128,6 @@ function getRules(core, at) {
         bodies: getMembers(core, at + GAME_RULES.bodies, layout.STEP_OPTIONS, STEP_KINDS),
         debris: getDebrisRules(core, at + GAME_RULES.debris),
     };
-}
-
-/** @returns the address of the struct */
-function putPath(core, lent, path, place) {
-    const given = object(path, place, 'the path', [...Object.keys(PATH_KINDS), 'stops', 'swing']);
-    const at = fresh(core, 'path');
-    core.setF64(at + PART_PATH.rotation + 24, 1);
-    core.setF64(at + PART_PATH.axis + 16, 1);
-    putMembers(core, at, PART_PATH, PATH_KINDS, given, place);
-    putMembers(core, at, SWING_FIELDS, SWING_KINDS, object(given.swing, place, 'swing', Object.keys(SWING_KINDS)), place);
-    if (given.stops === undefined) return at;
-    if (!Array.isArray(given.stops)) throw badCall(place, 'the stops must be an array');
-    const stops = lent.take(given.stops.length * PART_STOP.sizeof);
-    core.u8.fill(0, stops, stops + given.stops.length * PART_STOP.sizeof);
-    given.stops.forEach((stop, k) => {
-        const one = object(stop, place, `stop ${k}`, Object.keys(STOP_KINDS));
-        putMembers(core, stops + k * PART_STOP.sizeof, PART_STOP, STOP_KINDS, one, place);
-    });
-    core.setU32(at + PART_PATH.stops, stops);
-    core.setU32(at + PART_PATH.stopCount, given.stops.length);
-    return at;
 }
 
 /** @returns the address of the struct */

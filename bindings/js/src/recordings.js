@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What `import ... from 'firma/recordings'` gives: the module of games with games as one value, recorded and replayed,
-// and debris, blasts, parts that break, what a path goes through, convex pieces, supports.
+// and debris, blasts, parts that break, what a path goes through, convex pieces, supports, casts at bodies, sets of spheres.
 import { blastImpulse, blastShare, exposure, pushBlast } from './blasts.js';
+import { BodyIndex } from './body_casts.js';
 import { blastFelt, breakable, hurt, partPortals, partWorld } from './breakables.js';
 import { unpackHandle } from './commands.js';
 import { convexPieces, convexPiecesOfChunk } from './convex.js';
@@ -10,8 +11,11 @@ import { flyScene } from './fly_scene.js';
 import { fracture, fracturePattern } from './fracture.js';
 import { Games } from './games_library.js';
 import { kindOf, loadLibrary } from './load_library.js';
+import { pathNextStop } from './part_paths.js';
 import { pierce } from './pierce.js';
 import { Game, kindOfBytes, Recording } from './recorded_games.js';
+import { closestInScene } from './scenes.js';
+import { castSet, castSetPair, fitSpheres } from './sphere_sets.js';
 import { Supports } from './supports.js';
 
 export { Projectiles } from './projectiles.js';
@@ -45,6 +49,28 @@ class Recordings extends Games {
         return kindOfBytes(this.#core, data);
     }
 
+    // ---- casts at bodies, sets of spheres
+
+    bodyIndex(bodies, seconds = 0) {
+        return BodyIndex.create(this.#core, bodies, seconds);
+    }
+
+    castSet(world, spheres, motion, options) {
+        return castSet(this.#core, world, spheres, motion, options);
+    }
+
+    castSetPair(a, motionA, b, motionB) {
+        return castSetPair(this.#core, a, motionA, b, motionB);
+    }
+
+    fitSpheres(world, fit) {
+        return fitSpheres(this.#core, world, fit);
+    }
+
+    closestInScene(scene, point, options) {
+        return closestInScene(this.#core, scene, point, options);
+    }
+
     // ---- debris and blasts
 
     debris() {
@@ -75,7 +101,11 @@ class Recordings extends Games {
         return pushBlast(this.#core, world, bodies, blast, options);
     }
 
-    // ---- parts that break
+    // ---- parts: when they stop, how they break
+
+    pathNextStop(path, seconds) {
+        return pathNextStop(this.#core, path, seconds);
+    }
 
     partWorld(parts, part) {
         return partWorld(this.#core, parts, part);

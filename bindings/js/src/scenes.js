@@ -2,20 +2,20 @@
 // Levels with parts that move: lists of parts, and what is cast and overlapped among them.
 import { badCall, FirmaError } from './errors.js';
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
-import { getHit, getOverlap, putCastOptions, putNearOptions } from './hits.js';
+import { getHit, getNear, getOverlap, putCastOptions, putNearOptions } from './hits.js';
 import { MOTION, PART, PART_HIT, PART_NEAR, SCENE, STATUS_NAMES } from './layout.js';
-import { mask, number, object, word } from './arguments.js';
+import { mask, number, object, vector, word } from './arguments.js';
 import { putMover, putMoving } from './movers.js';
+import { MOTION_KINDS } from './part_paths.js';
 import { fresh, orNull, putMembers, toFill } from './structs.js';
 import { World } from './world.js';
 
-const MOTION_KINDS = { position: 'vector', rotation: 'quaternion', path: 'vector', turn: 'vector' };
 const MOTION_NAMES = Object.keys(MOTION_KINDS);
 const PART_NAMES = ['world', 'mask', 'motion'];
 const SCENE_NAMES = ['world', 'parts', 'from', 'to'];
 
 /** Over a motion of zeros, not turned. */
-function putMotion(core, at, motion, place, what) {
+export function putMotion(core, at, motion, place, what) {
     core.f64.fill(0, at >>> 3, (at + MOTION.sizeof) >>> 3);
     core.setF64(at + MOTION.rotation + 24, 1);
     putMembers(core, at, MOTION, MOTION_KINDS, object(motion, place, what, MOTION_NAMES), place);
@@ -133,4 +133,20 @@ export function overlapScene(core, scene, shape, options) {
             });
         }
     });
+}
+
+export function closestInScene(core, scene, point, options) {
+    const place = 'closestInScene';
+    const names = ['reach', 'fraction', 'mask', 'room'];
+    const { reach = Infinity, fraction = 0, ...near } = object(options, place, 'the options', names);
+    vector(point, 3, place, 'point');
+    number(reach, place, 'reach');
+    number(fraction, place, 'fraction');
+    const asked = putScene(core, scene, place);
+    const chosen = putNearOptions(core, near, place);
+    const at = toFill(core, 'partNear');
+    core.setVector(core.at.input, point);
+    core.run('firma_closest_scene', asked, core.at.input, reach, fraction, chosen, at, core.at.out);
+    if (core.getU32(core.at.out) === 0) return null;
+    return { ...getNear(core, at + PART_NEAR.near), ...ofPart(core, at, PART_NEAR) };
 }

@@ -11,6 +11,7 @@ const STRUCTS = {
     flyReport: [layout.FLY_REPORT],
     part: [layout.PART, 'firma_part_defaults'],
     partHit: [layout.PART_HIT],
+    partNear: [layout.PART_NEAR],
     player: [layout.PLAYER, 'firma_player_defaults'],
     playerMove: [layout.PLAYER_MOVE],
     playerRules: [layout.PLAYER_RULES, 'firma_player_rules_defaults'],

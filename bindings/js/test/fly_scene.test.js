@@ -81,3 +81,57 @@ test('what cannot fly says so, and nothing moves', () => {
         assert.equal(bits(shots), before);
     });
 });
+
+test('a rule is asked for each matter, and taken over the tables', () => {
+    holding((hold) => {
+        const { world, parts } = makeScene(hold);
+        const fixed = { gravity: [0, 0, 0] };
+        const byTable = shot([2, 4, 2], [220, 0, 0]);
+        recordings.flyScene(byTable, { world, parts }, step, { ...fixed, other: { resistance: 1000 } });
+        const byRule = shot([2, 4, 2], [220, 0, 0]);
+        const asked = [];
+        const rule = (impact, matter, usual) => {
+            asked.push({ impact, matter, usual });
+            return { resistance: 1000 };
+        };
+        recordings.flyScene(byRule, { world, parts }, step, { ...fixed, rule });
+        assert.equal(bits(byRule), bits(byTable));
+        const [{ impact, matter, usual }] = asked;
+        assert.deepEqual([impact.part, impact.projectile, impact.mass, impact.body, impact.pane], [0, 0, 0.01, null, false]);
+        assert.deepEqual([impact.velocity, impact.normal, typeof impact.face], [[220, 0, 0], [-1, 0, 0], 'number']);
+        near(impact.surface[0], -20);
+        near(impact.surface[2], 60);
+        assert.equal(typeof matter, 'number');
+        assert.deepEqual([usual.friction, usual.ricochetBelow], [0.3, 0.25]);
+        // What is not said is as usual; nothing said is all as usual.
+        const silent = shot([2, 4, 2], [220, 0, 0]);
+        recordings.flyScene(silent, { world, parts }, step, { ...fixed, other: { resistance: 1000 }, rule: () => undefined });
+        assert.equal(bits(silent), bits(byTable));
+        // A body: with the terms of bodies.
+        const bodies = hold(recordings.bodies());
+        const id = bodies.add(hold(recordings.bodyShape([0, 0, 0, 0.5], recordings.massOfBall(0.5, 100))), { position: [6, 4, 2] });
+        const atBody = shot([7.5, 4, 2], [-300, 0, 0]);
+        let seen;
+        const noting = (one, of, terms) => void (seen = [one.body, of, terms.friction]);
+        recordings.flyScene(atBody, world, step, { ...fixed, bodies, ofBodies: { friction: 0.125 }, rule: noting });
+        assert.deepEqual(seen, [id, 0, 0.125]);
+    });
+});
+
+test('what a rule throws is thrown, and projectiles stay', () => {
+    holding((hold) => {
+        const { world, parts } = makeScene(hold);
+        const shots = shot([2, 4, 2], [220, 0, 0]);
+        const before = bits(shots);
+        const fly = (rule) => recordings.flyScene(shots, { world, parts }, step, { rule });
+        assert.throws(() => fly(() => { throw new RangeError('no'); }), RangeError);
+        throwsCode('BAD_CALL', () => fly(() => ({ resistance: '1' })), /resistance must be a number/);
+        throwsCode('BAD_CALL', () => fly(() => ({ weight: 1 })), /there is no weight/);
+        throwsCode('BAD_CALL', () => fly(5), /the rule must be a function/);
+        assert.equal(bits(shots), before);
+        // Out of range it stops; the module goes on.
+        fly(() => ({ restitution: 2 }));
+        assert.equal(shots.get(0).state, 'stopped');
+        throwsCode('BAD_CALL', () => recordings.fly(shots, world, step, { rule: () => undefined }), /there is no rule/);
+    });
+});

@@ -27,6 +27,8 @@ import {
     type HitInfo,
     type Hull,
     type Level,
+    type LevelPart,
+    type LevelParts,
     type Location,
     type LogFacts,
     type Mass,
@@ -78,6 +80,8 @@ import {
 } from 'firma/games';
 import {
     loadRecordings,
+    type BodyHit,
+    type BodyIndex,
     type Breakable,
     type ConvexPiece,
     type Debris,
@@ -92,7 +96,10 @@ import {
     type Recording,
     type Recordings,
     type ReplayState,
+    type SceneNear,
     type SceneShotEvent,
+    type SetHit,
+    type SetPairHit,
     type Shattered,
     type Support,
     type SupportChange,
@@ -391,6 +398,11 @@ bodies.push(bodyId, [0, 0, 1], state.position);
 const ids: BodyId[] = bodies.list();
 const places: Float64Array = bodies.poses(new Float64Array(7 * bodies.count()));
 const parts: Parts = games.parts();
+const levelParts: LevelParts = levels[0]!.parts({ contactOffset: 0.001 });
+const leaf: LevelPart = levelParts.parts[0]!;
+parts.add({ world: leaf.world, mask: leaf.mask, motion: games.pathMotion(leaf.path, 0, 1 / 60) });
+const doorShut: boolean = games.pathAtFirstStop(leaf.path, games.pathPose({ stops: [{ wait: Infinity }] }, 1).scale);
+const levelNote: string = levelParts.notes[0]!.note;
 const lift: number = parts.add({ world: level3, mask: 1, motion: { position: [0, 0, 0], path: [0, 0, 1] } });
 parts.set(lift, { world: level3 });
 parts.setMotions([{ turn: [0, 0, 1] }]);
@@ -499,6 +511,21 @@ const { breakable: hurtCrate, breaks } = recordings.hurt(bears, 40 * recordings.
 const brokenPart: BodyId[] = debris.breakPart(bodies, parts, 0, level4, { breakable: hurtCrate, portals: [1], unbroken: breaks }).report.pieces;
 const cutPart: BodyId[] | undefined = debris.carvePart(bodies, parts, 0, level4, filled.cutter, filled.pose, { holdLargest: true, pieces: { seed: 3 } }).report.rest?.pieces;
 const sceneEvents: SceneShotEvent[] = recordings.flyScene(shots, { world: level4, parts, to: 0.5 }, 1 / 60, { bodies }).events;
+const index: BodyIndex = recordings.bodyIndex(bodies, 0.5);
+const bodyHits: BodyHit[] = [
+    index.cast({ centre: [0, 0, 0], radius: 0, path: [1, 0, 0] }, { mask: 1, except: chunkBody }),
+    index.castSet(new Float64Array(4), { turn: [0, 0, 1] }),
+];
+const fitted: Float64Array = recordings.fitSpheres(level4, { maxSpheres: 9 }).spheres;
+const setHit: SetHit = recordings.castSet(level4, fitted, { path: [1, 0, 0] }, { room: 'any' });
+const setPairHit: SetPairHit = recordings.castSetPair(fitted, {}, [0, 0, 0, 1], { path: [1, 0, 0] });
+const nearest: SceneNear | null = recordings.closestInScene({ world: level4, parts }, [0, 0, 0], { reach: 2, fraction: 0.5 });
+const nextStop: number = recordings.pathNextStop(leaf.path, 1);
+const { breakable: bearsOfLevel, ...gamePart } = leaf;
+game.addPart(gamePart);
+recordings.flyScene(shots, level4, 1 / 60, { rule: (impact, matter, usual) => ({ resistance: matter + impact.mass + usual.friction }) });
+// @ts-expect-error rules are of flyScene()
+games.fly(shots, level3, 1 / 60, { rule: () => undefined });
 const spans: PierceSpan[] = recordings.pierce(level4, { start: [0, 0, 0], path: [1, 0, 0] }, { panes: false, matters: true }).spans;
 const convexPieces: ConvexPiece[] = [...recordings.convexPieces(level4, { maxConcavity: 0.1 }), ...recordings.convexPiecesOfChunk(broken, 0)];
 const supports: Supports = recordings.findSupports(level4, [{ kind: 'hangs', low: [0, 0, 0], high: [1, 1, 1], reach: 1 }]);
