@@ -7,7 +7,7 @@ import { poseWithin } from './turns.js';
 import { length, subtract } from './vector.js';
 
 const kMost = 90; // bodies: beyond that sleepers leave, small ones first
-const kSpheres = 64; // of what comes loose: with 12 a bridge lies 0.7 m in the floor
+const kSpheres = 32; // of what comes loose: with 12 a bridge lies 0.7 m in the floor
 const kPieces = { maxSpheres: 32, minVolume: 0.002 }; // cubic metres: what is less is dust
 const kHeavy = 150; // kilograms: lighter ones do not break by a fall
 const kBreaks = 5; // metres a second that a fall takes away within a step
