@@ -106,7 +106,8 @@ if (wanted('playground_fire_fight')) {
     await go(page, 0.1, 4);
     await keep(page, 0.3);
     await go(page, 0.1, 30);
-    await call(page, 'look', 3.5, -0.05);
+    await call(page, 'place', 18.6, 10.4, 0.01);
+    await call(page, 'look', 3.75, -0.1);
     await keep(page, 6);
     await go(page, 0.05, 1, { rocket: true });
     for (let k = 0; k < 20; ++k) if ((await call(page, 'step', 0.03, {})).rockets === 0) break;
