@@ -13,7 +13,7 @@ const session = await open();
 /** Of the insides: feet, yaw and pitch to look by, and the shots before. */
 const kInsides = [
     [[22.8, 9.8, 0.01], 0, 0.62, [[0.05, 0.72], [-0.05, 0.6]]], // a wall of brick
-    [[3.2, 9.4, 0.01], Math.PI, -0.1, [[Math.PI, -0.12], [Math.PI + 0.2, -0.02]]], // of concrete
+    [[21.2, 3.25, 0.01], Math.PI, 0, [[Math.PI, 0], [Math.PI, -0.2]]], // a pillar of concrete
     [[60.4, 17, -0.99], Math.PI, -0.1, [[Math.PI, 0], [Math.PI - 0.25, -0.1]]], // a hut of wood
     [[9.6, 6.6, 0.01], 0, 0.55, [[0.05, 0.55]]], // the bridge's steel
 ];
@@ -106,7 +106,8 @@ if (wanted('playground_fire_fight')) {
     await go(page, 0.1, 4);
     await keep(page, 0.3);
     await go(page, 0.1, 30);
-    await call(page, 'look', 3.5, -0.05);
+    await call(page, 'place', 18.6, 10.4, 0.01);
+    await call(page, 'look', 3.75, -0.1);
     await keep(page, 6);
     await go(page, 0.05, 1, { rocket: true });
     for (let k = 0; k < 20; ++k) if ((await call(page, 'step', 0.03, {})).rockets === 0) break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All that moves besides the player: rockets, grenades, rubble, doors; what each does to the others, and how they are drawn.
 import * as THREE from 'three';
+import { ContactShadows } from './contact_shadows.js';
 import { Debris } from './debris.js';
 import { DebrisView } from './debris_view.js';
 import { DoorView } from './door_view.js';
@@ -23,8 +24,10 @@ export class Actors {
         const { firma, launcher, rooms, stage } = game;
         this.debrisView = new DebrisView(materials, (edit, point) => launcher.depth(edit, point));
         this.doorView = new DoorView(materials);
+        this.contactShadows = new ContactShadows();
         this.debris = new Debris(firma, launcher.matters, (change) => {
             this.debrisView.change(change);
+            this.contactShadows.change(change);
             this.chosen = false;
         });
         this.doors = new Doors(firma, rooms.portals, (portal) => this.#closed(portal), (door) => {
@@ -41,7 +44,7 @@ export class Actors {
         this.grenades = new Grenades(firma, game.Projectiles);
         this.views = { rockets: FlyingView.rockets(), grenades: FlyingView.grenades() };
         this.group = new THREE.Group();
-        this.group.add(this.debrisView.group, this.doorView.group, this.views.rockets.group, this.views.grenades.group);
+        this.group.add(this.debrisView.group, this.contactShadows.group, this.doorView.group, this.views.rockets.group, this.views.grenades.group);
         this.sun = stage.sun;
         this.broken = []; // portals whose doors are no more
     }
@@ -122,6 +125,7 @@ export class Actors {
 
     show() {
         this.debrisView.update(this.debris.bodies);
+        this.contactShadows.update(this.debris.bodies, this.game.launcher.world);
         this.doorView.update(this.doors);
         const rockets = this.rockets.flying.map((rocket) => ({ at: Rockets.seenAt(rocket), direction: rocket.direction }));
         this.views.rockets.show(rockets);

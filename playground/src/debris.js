@@ -7,10 +7,11 @@ import { poseWithin } from './turns.js';
 import { length, subtract } from './vector.js';
 
 const kMost = 90; // bodies: beyond that sleepers leave, small ones first
-const kSpheres = 64; // of what comes loose: with 12 a bridge lies 0.7 m in the floor
+const kSpheres = 32; // of what comes loose: with 12 a bridge lies 0.7 m in the floor
 const kPieces = { maxSpheres: 32, minVolume: 0.002 }; // cubic metres: what is less is dust
 const kHeavy = 150; // kilograms: lighter ones do not break by a fall
-const kBreaks = 5; // metres a second that a fall takes away within a step
+const kBreaks = 5; // metres a second that a fall takes away, however many steps it takes
+const kForgets = 30; // metres a second of that in a second: sliding takes less
 const kByFall = { pieces: 8, most: 2 }; // pieces at most; times, of what came of one chunk
 const kByBlast = { pieces: 12, most: 3 };
 const kPush = { reach: 3, impulse: 8000, maxSpeed: 9 }; // radii of a blast, newton seconds a square metre, metres a second
@@ -49,9 +50,10 @@ export class Debris {
             const body = this.bodies.get(piece.id);
             Object.assign(piece, { velocity: body.velocity, asleep: body.asleep, at: body.position });
             const lost = length(subtract(body.velocity, before)) - 9.81 * dt;
+            piece.shock = Math.max(0, piece.shock - kForgets * dt) + Math.max(0, lost);
             if (lost < 1) continue;
             hits.push({ piece, point: body.position, speed: lost });
-            if (lost > kBreaks && piece.mass > kHeavy) this.#break(piece, scene.world, this.#hardestAt(piece), kByFall);
+            if (piece.shock > kBreaks && piece.mass > kHeavy) this.#break(piece, scene.world, this.#hardestAt(piece), kByFall);
         }
         this.#keepFew(scene.world);
         return hits;
@@ -107,7 +109,7 @@ export class Debris {
         const { low, high } = world.facts();
         // The faces of its cracks have the material after the last one of the level.
         const names = [...materials, inside || 'rubble'];
-        const piece = { id, world, names, kind, matter, inside, origin, breaks, mass, at, velocity, size: length(subtract(high, low)) / 2, asleep: false, version, materials };
+        const piece = { id, world, names, kind, matter, inside, origin, breaks, mass, at, velocity, low, high, size: length(subtract(high, low)) / 2, shock: 0, asleep: false, version, materials };
         this.pieces.set(id, piece);
         return piece;
     }

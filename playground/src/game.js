@@ -47,7 +47,7 @@ export class Game {
         this.actors = new Actors(this, materials);
         this.panes.show(this.rooms.portals, false, this.actors.doorPortals());
         stage.scene.add(this.meshes.group, this.actors.group, this.panes.group);
-        stage.warmUp(materials.bodies);
+        stage.warmUp({ ...materials.bodies, contact: this.actors.contactShadows.material() });
         const { low, high } = world.facts();
         stage.sun.cover(low, high);
         this.floor = low[2];

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { throwBlast } from '../src/blast_particles.js';
 import { boxMesh } from '../src/box_mesh.js';
+import { ContactShadows, ovalOf } from '../src/contact_shadows.js';
 import { leafMesh, planDoor } from '../src/door_plans.js';
 import { turnBetween } from '../src/obstacles.js';
 import { kShares, Picture } from '../src/picture.js';
@@ -200,6 +201,46 @@ function volume({ positions, corners, cornerCounts = Array(corners.length / 3).f
     }
     return sum;
 }
+
+test('the ground below a body is darker, the less the higher it is', () => {
+    const oval = ovalOf([3, 1, 0.5], aboutUp(0.6));
+    near([oval.long, oval.short, oval.angle, oval.high], [3, 1, 0.6, 0.5]);
+    const upright = ovalOf([3, 1, 0.5], [0, Math.SQRT1_2, 0, Math.SQRT1_2]); // its long side along z
+    near([upright.long, upright.short, upright.high], [1, 0.5, 3]);
+    near([Math.abs(Math.sin(upright.angle))], [1]);
+
+    let casts = 0;
+    /** Level ground at a height. */
+    const groundAt = (z) => ({
+        cast({ centre, path }) {
+            ++casts;
+            const fraction = (z - centre[2]) / path[2];
+            return { hit: fraction >= 0 && fraction <= 1, fraction, point: [centre[0], centre[1], z], normal: [0, 0, 1] };
+        },
+    });
+    const shadows = new ContactShadows();
+    const piece = { id: 1n, low: [-1, -1, -0.5], high: [1, 1, 0.5], asleep: false };
+    shadows.change({ added: [piece], removed: [] });
+    const [ground, hole] = [groundAt(0), groundAt(-9)];
+    const darkAt = (z, level = ground) => {
+        shadows.update({ pose: () => ({ position: [4, 5, z], rotation: [0, 0, 0, 1] }) }, level);
+        const [mesh] = shadows.group.children;
+        return mesh.visible ? mesh.material.opacity : 0;
+    };
+    const dark = [0.5, 1, 2, 2.9, 3.1].map((z) => darkAt(z));
+    assert.ok(dark[0] > 0.5 && dark.every((one, k) => k === 0 || one < dark[k - 1]) && dark[3] > 0 && dark[4] === 0, `${dark}`);
+    darkAt(1);
+    near(shadows.group.children[0].position.toArray(), [4, 5, 0.02]);
+    piece.asleep = true;
+    casts = 0;
+    const lain = darkAt(0.5);
+    darkAt(0.5);
+    assert.equal(casts, 1, 'once, when it has come to rest');
+    assert.ok(lain > 0.5);
+    assert.equal(darkAt(0.5, hole), 0, 'the ground went');
+    shadows.change({ added: [], removed: [piece] });
+    assert.equal(shadows.group.children.length, 0);
+});
 
 test('meshes of leaves and boxes are seen from outside', () => {
     assert.ok(Math.abs(volume(boxMesh([1, 2, 3])) - 48) < 1e-9);

@@ -55,9 +55,10 @@ PlayerMove PlayerTick::run() {
         return move_;
     }
     player_.stuck = false;
+    // Before parts go: who comes to stand on one is carried by it in this tick, as its speed over it is reckoned.
+    if (other_world_ && player_.on_ground) settle(rules_.step_height);
     ride();
     choose_posture();
-    if (other_world_ && player_.on_ground) settle(rules_.step_height);
     accelerate();
     if (player_.on_ground)
         walk();

@@ -132,8 +132,12 @@ private:
             const RigidMotion& motion = scene.parts[before.ground_part].motion;  // whose speed it keeps
             had += length(before.ground_velocity) + length(velocity_at(motion, 1, player_.position)) * run_.rate;
         }
-        const double asked = std::max(std::hypot(wish_.velocity.x, wish_.velocity.y), had) / run_.rate;
+        // In another world it may come to stand on a part, which then goes away under it.
         const bool same_world = !before.stuck && before.world_hash == player_.world_hash;
+        if (before.on_ground && !same_world)
+            for (const MovingPart& part : scene.parts)
+                had += length(velocity_at(part.motion, 0, before.position)) * run_.rate;
+        const double asked = std::max(std::hypot(wish_.velocity.x, wish_.velocity.y), had) / run_.rate;
         if (same_world && length(moved.pushed) > kMostPushed)
             fail("was pushed by " + std::to_string(length(moved.pushed)) + " m by nothing that came");
         if (far > asked * (1 + 1e-9) + 1e-9 + (moved.stepped ? 2 * world().tolerance().contact_offset : 0))
