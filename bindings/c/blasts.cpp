@@ -9,6 +9,7 @@
 
 #include "bindings/c/debris_object.h"
 #include "bindings/c/numbers.h"
+#include "bindings/c/scenes.h"
 
 namespace firma::c {
 namespace {
@@ -84,6 +85,73 @@ firma_code read_cut(const firma_carve_options* given, CarveOptions& carve, const
     return FIRMA_OK;
 }
 
+namespace {
+
+firma_code tell_exposure(const Scene& scene, const double from[3], const double* spheres, size_t count, uint32_t mask,
+                         double* seen, const char* function) {
+    if (!from || !seen || (!spheres && count)) return bad_call(function, kNull);
+    const Vec3 at{from[0], from[1], from[2]};
+    std::vector<Sphere> all;
+    bool good = is_finite(at);
+    for (std::size_t k = 0; k < count; ++k) {
+        all.push_back({{spheres[4 * k], spheres[4 * k + 1], spheres[4 * k + 2]}, spheres[4 * k + 3]});
+        good = good && is_finite(all[k].centre) && is_not_below_zero(all[k].radius);
+    }
+    if (!good) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the point or a sphere is not finite or out of range");
+    *seen = exposure(scene, at, std::span<const Sphere>(all), mask);
+    return FIRMA_OK;
+}
+
+firma_code push_all(const Scene& scene, firma_bodies bodies, const firma_blast* blast,
+                    const firma_push_options* options, firma_push_report* report, const char* function) {
+    if (report && !sized(report)) return bad_call(function, kWrongSize);
+    Blast asked;
+    if (const firma_code code = read_blast(blast, asked, function)) return code;
+    PushOptions chosen;
+    if (const firma_code code = read_push(options, chosen, function)) return code;
+    firma_code code = FIRMA_OK;
+    BodiesObject* const object = find_bodies(bodies, code, function);
+    if (!object) return code;
+    const PushReport made = blast_push(scene, object->bodies, asked, chosen);
+    if (report) put_sized({0, 0, made.reached, made.pushed}, report);
+    return FIRMA_OK;
+}
+
+firma_code explode_in(const Scene& scene, firma_debris debris, firma_bodies bodies, const firma_blast* blast,
+                      firma_cutter crater, const firma_pose* pose, const firma_explode_options* options,
+                      firma_world* after, firma_explosion* report, const char* function) {
+    if (!pose || !after) return bad_call(function, kNull);
+    if (report && !sized(report)) return bad_call(function, kWrongSize);
+    firma_explosion whole{};
+    if (report) take_sized(report, whole);
+    if (whole.carve.size != 0 && !sized(&whole.carve)) return bad_call(function, kWrongSize);
+    Blast asked;
+    if (const firma_code code = read_blast(blast, asked, function)) return code;
+    BlastOptions chosen;
+    if (const firma_code code = read_explode(options, chosen, function)) return code;
+    const CutterObject* cutter = nullptr;
+    if (crater.id != 0 && !(cutter = find<CutterObject>(crater.id, function))) return FIRMA_ERROR_BAD_HANDLE;
+    DebrisThere there;
+    if (const firma_code code = there.find_both(debris, bodies, function)) return code;
+    auto object = std::make_unique<WorldObject>(World{});
+    BlastResult made = there.change([&](Bodies& all, Debris& of) {
+        return explode(scene, all, of, asked, cutter ? cutter->cutter : Cutter{}, firma::c::pose_of(*pose), chosen);
+    });
+    object->world = made.carve.world;
+    if (const firma_code code = give(std::move(object), after, function)) {
+        there.debris->broken = there.bodies->broken = true;  // its world is lost
+        return code;
+    }
+    if (whole.carve.size != 0) put_report(made.carve, {0}, &whole.carve);
+    if (report) put_sized(explosion_told(made, whole.carve), report);
+    there.debris->forget();
+    there.debris->named[FIRMA_DEBRIS_LOOSE].swap(made.loose);
+    there.debris->named[FIRMA_DEBRIS_PIECES].swap(made.pieces);
+    if (made.carve.status == CarveStatus::kRefused) fail(made.carve.error);
+    return FIRMA_OK;
+}
+
+}  // namespace
 }  // namespace firma::c
 
 using namespace firma;
@@ -125,20 +193,18 @@ firma_code firma_blast_impulse(const firma_blast* blast, const double point[3], 
 firma_code firma_exposure(firma_world world, const double from[3], const double* spheres, size_t count, uint32_t mask,
                           double* seen) {
     return guarded(__func__, [&, function = __func__] {
-        if (!from || !seen || (!spheres && count)) return bad_call(function, kNull);
         const WorldObject* const object = find<WorldObject>(world.id, function);
-        if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        const Vec3 at{from[0], from[1], from[2]};
-        std::vector<Sphere> all;
-        bool good = is_finite(at);
-        for (std::size_t k = 0; k < count; ++k) {
-            all.push_back({{spheres[4 * k], spheres[4 * k + 1], spheres[4 * k + 2]}, spheres[4 * k + 3]});
-            good = good && is_finite(all[k].centre) && is_not_below_zero(all[k].radius);
-        }
-        if (!good)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the point or a sphere is not finite or out of range");
-        *seen = exposure(object->world, at, std::span<const Sphere>(all), mask);
-        return FIRMA_OK;
+        return object ? tell_exposure({object->world}, from, spheres, count, mask, seen, function)
+                      : FIRMA_ERROR_BAD_HANDLE;
+    });
+}
+
+firma_code firma_exposure_scene(const firma_scene* scene, const double from[3], const double* spheres, size_t count,
+                                uint32_t mask, double* seen) {
+    return guarded(__func__, [&, function = __func__] {
+        SceneThere there;
+        if (const firma_code code = there.read(scene, function)) return code;
+        return tell_exposure(there.scene(), from, spheres, count, mask, seen, function);
     });
 }
 
@@ -150,19 +216,17 @@ void firma_push_options_defaults(firma_push_options* options) {
 firma_code firma_blast_push(firma_world world, firma_bodies bodies, const firma_blast* blast,
                             const firma_push_options* options, firma_push_report* report) {
     return guarded(__func__, [&, function = __func__] {
-        if (report && !sized(report)) return bad_call(function, kWrongSize);
-        Blast asked;
-        if (const firma_code code = read_blast(blast, asked, function)) return code;
-        PushOptions chosen;
-        if (const firma_code code = read_push(options, chosen, function)) return code;
         const WorldObject* const level = find<WorldObject>(world.id, function);
-        if (!level) return FIRMA_ERROR_BAD_HANDLE;
-        firma_code code = FIRMA_OK;
-        BodiesObject* const object = find_bodies(bodies, code, function);
-        if (!object) return code;
-        const PushReport made = blast_push(level->world, object->bodies, asked, chosen);
-        if (report) put_sized({0, 0, made.reached, made.pushed}, report);
-        return FIRMA_OK;
+        return level ? push_all({level->world}, bodies, blast, options, report, function) : FIRMA_ERROR_BAD_HANDLE;
+    });
+}
+
+firma_code firma_blast_push_scene(const firma_scene* scene, firma_bodies bodies, const firma_blast* blast,
+                                  const firma_push_options* options, firma_push_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        SceneThere there;
+        if (const firma_code code = there.read(scene, function)) return code;
+        return push_all(there.scene(), bodies, blast, options, report, function);
     });
 }
 
@@ -184,37 +248,18 @@ firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bo
                          firma_cutter crater, const firma_pose* pose, const firma_explode_options* options,
                          firma_world* after, firma_explosion* report) {
     return guarded(__func__, [&, function = __func__] {
-        if (!pose || !after) return bad_call(function, kNull);
-        if (report && !sized(report)) return bad_call(function, kWrongSize);
-        firma_explosion whole{};
-        if (report) take_sized(report, whole);
-        if (whole.carve.size != 0 && !sized(&whole.carve)) return bad_call(function, kWrongSize);
-        Blast asked;
-        if (const firma_code code = read_blast(blast, asked, function)) return code;
-        BlastOptions chosen;
-        if (const firma_code code = read_explode(options, chosen, function)) return code;
         const WorldObject* const level = find<WorldObject>(world.id, function);
         if (!level) return FIRMA_ERROR_BAD_HANDLE;
-        const CutterObject* cutter = nullptr;
-        if (crater.id != 0 && !(cutter = find<CutterObject>(crater.id, function))) return FIRMA_ERROR_BAD_HANDLE;
-        DebrisThere there;
-        if (const firma_code code = there.find_both(debris, bodies, function)) return code;
-        auto object = std::make_unique<WorldObject>(World{});
-        BlastResult made = there.change([&](Bodies& all, Debris& of) {
-            return explode(level->world, all, of, asked, cutter ? cutter->cutter : Cutter{}, firma::c::pose_of(*pose),
-                           chosen);
-        });
-        object->world = made.carve.world;
-        if (const firma_code code = give(std::move(object), after, function)) {
-            there.debris->broken = there.bodies->broken = true;  // its world is lost
-            return code;
-        }
-        if (whole.carve.size != 0) put_report(made.carve, {0}, &whole.carve);
-        if (report) put_sized(explosion_told(made, whole.carve), report);
-        there.debris->forget();
-        there.debris->named[FIRMA_DEBRIS_LOOSE].swap(made.loose);
-        there.debris->named[FIRMA_DEBRIS_PIECES].swap(made.pieces);
-        if (made.carve.status == CarveStatus::kRefused) fail(made.carve.error);
-        return FIRMA_OK;
+        return explode_in({level->world}, debris, bodies, blast, crater, pose, options, after, report, function);
+    });
+}
+
+firma_code firma_explode_scene(const firma_scene* scene, firma_debris debris, firma_bodies bodies,
+                               const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
+                               const firma_explode_options* options, firma_world* after, firma_explosion* report) {
+    return guarded(__func__, [&, function = __func__] {
+        SceneThere there;
+        if (const firma_code code = there.read(scene, function)) return code;
+        return explode_in(there.scene(), debris, bodies, blast, crater, pose, options, after, report, function);
     });
 }

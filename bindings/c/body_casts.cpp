@@ -22,6 +22,7 @@ struct BodyIndexObject final : Object {
 void put_body_hit(const BodyHit& from, firma_body_hit& out) {
     out = {};
     out.fraction = from.fraction;
+    out.safe_fraction = from.safe_fraction;
     put(from.centre, out.centre);
     put(from.point, out.point);
     put(from.normal, out.normal);
@@ -42,7 +43,7 @@ firma_code ask_of_index(firma_body_index index, const firma_body_cast_options* o
     firma_body_cast_options whole;
     firma_body_cast_options_defaults(&whole);
     if (options) take_sized(options, whole);
-    return work(object->index, BodyCastOptions{whole.mask, id_of(whole.except)});
+    return work(object->index, BodyCastOptions{whole.mask, id_of(whole.except), whole.contact_offset});
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ firma_code firma_body_index_release(firma_body_index index) {
 }
 
 void firma_body_cast_options_defaults(firma_body_cast_options* options) {
-    if (options) *options = {sizeof *options, ~0u, {FIRMA_NO_BODY, 0}};
+    if (options) *options = {sizeof *options, ~0u, {FIRMA_NO_BODY, 0}, BodyCastOptions{}.contact_offset};
 }
 
 firma_code firma_body_index_cast(firma_body_index index, const firma_cast_input* input,

@@ -8,6 +8,8 @@
 #include "bindings/c/answers.h"
 #include "bindings/c/mover_there.h"
 #include "bindings/c/scenes.h"
+#include "bindings/c/sphere_sets.h"
+#include "firma/cast_set.h"
 #include "moving/part_frame.h"
 
 namespace firma::c {
@@ -199,6 +201,25 @@ firma_code firma_cast_scene(const firma_scene* scene, const firma_mover* mover, 
             chosen.put();
             return FIRMA_OK;
         });
+    });
+}
+
+firma_code firma_cast_set_scene(const firma_scene* scene, const double* spheres, size_t count,
+                                const firma_motion* motion, const firma_cast_options* options,
+                                firma_set_part_hit* hit) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!hit) return bad_call(function, kNull);
+        SceneThere asked;
+        if (const firma_code code = asked.read(scene, function)) return code;
+        MovingSetThere set;
+        if (const firma_code code = set.read(spheres, count, motion, function)) return code;
+        CastOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        const SetPartHit met = cast(asked.scene(), set.spheres, set.motion, chosen);
+        *hit = {};
+        put_part_hit(met, hit->hit);
+        hit->sphere = met.sphere;
+        return FIRMA_OK;
     });
 }
 

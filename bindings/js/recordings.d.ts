@@ -114,6 +114,8 @@ export interface Recordings extends Games {
      * @throws {FirmaError} TOO_LARGE for more than 4,096
      */
     castSet(world: World, spheres: Numbers, motion: Motion, options?: CastOptions): SetHit;
+    /** The same in a level with parts, which move meanwhile: what castScene() says of these holds here. */
+    castSetScene(scene: Scene, spheres: Numbers, motion: Motion, options?: CastOptions): SetPartHit;
     /** The first touch of two sets, which move at once. All else as castSet(); costs the pairs of spheres that come near each other. */
     castSetPair(a: Numbers, motionA: Motion, b: Numbers, motionB: Motion): SetPairHit;
     /**
@@ -156,13 +158,13 @@ export interface Recordings extends Games {
     blastImpulse(blast: Blast, point: Vector, area: number, seen?: number): Vector3;
     /**
      * The share of spheres that is seen from a point, 0..1; 0 of none. Costs five rays a sphere. Closed portals and the fronts
-     * of faces cover.
+     * of faces cover, of parts from where they are as the scene's stretch begins.
      * @param spheres four numbers each: centre, radius, metres @param mask of faces that cover; all unless given
      * @throws {FirmaError} OUT_OF_RANGE for a number that is not finite, or a radius below 0
      */
-    exposure(world: World, from: Vector, spheres: Numbers, mask?: number): number;
+    exposure(scene: Scene, from: Vector, spheres: Numbers, mask?: number): number;
     /** Pushes all bodies near a blast, weaker farther away, and by what stands before them. */
-    pushBlast(world: World, bodies: Bodies, blast: Blast, options?: PushOptions): PushReport;
+    pushBlast(scene: Scene, bodies: Bodies, blast: Blast, options?: PushOptions): PushReport;
 
     /** A part's solid, in its frame: to draw after carvePart(). @throws {FirmaError} OUT_OF_RANGE for a part that is not there, and below */
     partWorld(parts: Parts, part: number): World;
@@ -682,7 +684,7 @@ export interface Debris extends Handle {
      * @param pose of the crater; without one it does not count
      * @throws {FirmaError} OUT_OF_RANGE for a blast or options out of range; INVALID for `carve` that fills
      */
-    explode(bodies: Bodies, world: World, blast: Blast, crater: Cutter | null, pose?: Pose, options?: ExplodeOptions): { world: World; report: Explosion };
+    explode(bodies: Bodies, scene: Scene, blast: Blast, crater: Cutter | null, pose?: Pose, options?: ExplodeOptions): { world: World; report: Explosion };
     /**
      * Breaks a part: its pieces become debris where it stands. The part keeps its number, without a face; portals that it
      * closed are open in `world`, a handle of its own. One without solid breaks into nothing.
@@ -764,6 +766,8 @@ export interface BodyHit {
     hit: boolean;
     /** Of the way. */
     fraction: number;
+    /** The contact offset before it, by the speed along the normal; at least 0. */
+    safeFraction: number;
     /** Of the sphere that was cast, at the touch, metres. */
     centre: Vector3;
     point: Vector3;
@@ -784,6 +788,8 @@ export interface BodyCastOptions {
     mask?: number;
     /** Is not met: who casts. */
     except?: BodyId | null;
+    /** Metres for safeFraction; below 0 counts as 0; 0.001 unless given. */
+    contactOffset?: number;
 }
 
 export interface BodyIndex extends Handle {
@@ -802,6 +808,8 @@ export interface SetHit extends Hit {
     /** Null when nothing was touched. */
     sphere: number | null;
 }
+
+export interface SetPartHit extends SetHit, OfPart {}
 
 export interface SetPairHit {
     status: Status;

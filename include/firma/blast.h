@@ -8,6 +8,7 @@
 
 #include "firma/bodies.h"
 #include "firma/export.h"
+#include "firma/moving_parts.h"
 #include "firma/polygon.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -31,17 +32,26 @@ struct Blast {
 /// @return zero for what is not finite or negative
 [[nodiscard]] FIRMA_EXPORT Vec3 blast_impulse(const Blast& blast, const Vec3& point, double area, double seen = 1);
 
-/// The share of points that are seen from a point: a ray to each meets no front of a face on the way, nor a closed
-/// portal. What is behind a fence is seen: give a mask (CastOptions::mask) of what stops a blast.
-/// @return 0 for no points; a point that is not finite is not seen
+/// The share of points that are seen from a point: a ray to each meets no front of a face of the level or a part on the
+/// way, nor a closed portal. Parts cover from where they are as the scene's stretch begins. What is behind a fence is
+/// seen: give a mask (CastOptions::mask) of what stops a blast.
+/// @return 0 for no points; a point that is not finite is not seen; nothing is in a scene that cannot be cast in
 /// Never allocates. Costs a cast_any() a point: a wall is never missed.
-[[nodiscard]] FIRMA_EXPORT double exposure(const World& world, const Vec3& from, std::span<const Vec3> points,
+[[nodiscard]] FIRMA_EXPORT double exposure(const Scene& scene, const Vec3& from, std::span<const Vec3> points,
                                            std::uint32_t mask = ~0u);
-
 /// The same of spheres, as a player is made of: of each its middle and four points around it, nearly as far out as it
 /// reaches across the view; spheres count by the areas that they show.
-[[nodiscard]] FIRMA_EXPORT double exposure(const World& world, const Vec3& from, std::span<const Sphere> spheres,
+[[nodiscard]] FIRMA_EXPORT double exposure(const Scene& scene, const Vec3& from, std::span<const Sphere> spheres,
                                            std::uint32_t mask = ~0u);
+/// In a world without parts.
+[[nodiscard]] inline double exposure(const World& world, const Vec3& from, std::span<const Vec3> points,
+                                     std::uint32_t mask = ~0u) {
+    return exposure(Scene{world}, from, points, mask);
+}
+[[nodiscard]] inline double exposure(const World& world, const Vec3& from, std::span<const Sphere> spheres,
+                                     std::uint32_t mask = ~0u) {
+    return exposure(Scene{world}, from, spheres, mask);
+}
 
 struct PushOptions {
     std::uint32_t mask = ~0u;  ///< faces that stop a blast
@@ -56,10 +66,15 @@ struct PushReport {
 };
 
 /// Pushes all bodies near a blast: each sphere at its middle, away from the blast, by its share of what the body shows
-/// and by how much of it is seen; so a body behind the edge of a wall turns. Other bodies cover nothing.
+/// and by how much of it is seen, as exposure() says; so a body behind the edge of a wall turns. Other bodies cover
+/// nothing.
 /// @return all 0, and nothing pushed, for a blast or a limit that is not finite or out of range
 /// The same bits on every machine. Costs five rays a sphere that is near enough.
-FIRMA_EXPORT PushReport blast_push(const World& world, Bodies& bodies, const Blast& blast,
+FIRMA_EXPORT PushReport blast_push(const Scene& scene, Bodies& bodies, const Blast& blast,
                                    const PushOptions& options = {});
+/// In a world without parts.
+inline PushReport blast_push(const World& world, Bodies& bodies, const Blast& blast, const PushOptions& options = {}) {
+    return blast_push(Scene{world}, bodies, blast, options);
+}
 
 }  // namespace firma

@@ -18,6 +18,7 @@ namespace firma {
 struct BodyHit {
     Status status = Status::kMiss;
     double fraction = 1;              ///< of the way
+    double safe_fraction = 1;         ///< the contact offset before it, by the speed along the normal; at least 0
     BodyId body{};                    ///< of several at one fraction that of the lowest slot
     std::uint32_t body_sphere = ~0u;  ///< of the body's shape
     std::uint32_t sphere = ~0u;       ///< of the set that was cast; 0 of a ray or a sphere
@@ -31,6 +32,8 @@ struct BodyHit {
 struct BodyCastOptions {
     std::uint32_t mask = ~0u;  ///< bodies that share a bit are met
     BodyId except{};           ///< is not: who casts
+    /// Metres for safe_fraction; not finite or below 0 counts as 0.
+    double contact_offset = 0.001;
 };
 
 /// Where bodies are, or go within a time, for many casts. Holds what it needs of them: they may change meanwhile.
@@ -43,8 +46,8 @@ public:
 
     /// A ray meets spheres, not the solids that these stand for. What begins in a sphere meets it where it comes nearer
     /// to its middle, else not at all.
-    /// @return kMiss with fraction 1; kInvalid for numbers that are not finite, a negative radius, or a turn beyond
-    /// kMaxAngle. Of sets and bodies that turn a touch may be early by what cast_set.h says, never late
+    /// @return kMiss with fractions of 1; kInvalid, with 0, for numbers that are not finite, a negative radius, or a
+    /// turn beyond kMaxAngle. Of sets and bodies that turn a touch may be early by what cast_set.h says, never late
     /// Never allocates. Cost grows with the logarithm of the bodies, and with the spheres of those near the way.
     [[nodiscard]] FIRMA_EXPORT BodyHit cast(const Ray& ray, const BodyCastOptions& options = {}) const;
     [[nodiscard]] FIRMA_EXPORT BodyHit cast(const Sphere& sphere, const Vec3& path,

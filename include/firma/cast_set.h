@@ -6,6 +6,7 @@
 
 #include "firma/export.h"
 #include "firma/motion.h"
+#include "firma/moving_parts.h"
 #include "firma/queries.h"
 #include "firma/sphere_set.h"
 #include "firma/world.h"
@@ -36,6 +37,20 @@ inline constexpr double kMaxBulge = 1.0 / 32768;
 /// each sphere, and when turning one for each piece of its arc that comes near anything.
 [[nodiscard]] FIRMA_EXPORT SetHit cast(const World& world, std::span<const Sphere> spheres, const RigidMotion& motion,
                                        const CastOptions& options = {});
+
+/// A hit of the level or of a part, and which sphere it was.
+struct SetPartHit : PartHit {
+    std::uint32_t sphere = ~0u;  ///< index into the set; ~0u when nothing was touched
+};
+
+/// The first touch of a moving set with a level, or with parts that move meanwhile along the scene's stretch: as cast()
+/// of a scene for each sphere, the smallest fraction, then the lowest sphere. Spheres on arcs go by chords as above, so
+/// a touch is never late, but for what cast() of a scene says of parts that turn; of these it is early by both bounds.
+/// @return as above, and as cast() of a scene; of a set that turns safe_fraction is reckoned as there of parts that do
+/// Never allocates. Costs a cast through the scene for each sphere, and when turning one for each piece of its arc that
+/// comes near the level or the ball around a part.
+[[nodiscard]] FIRMA_EXPORT SetPartHit cast(const Scene& scene, std::span<const Sphere> spheres,
+                                           const RigidMotion& motion, const CastOptions& options = {});
 
 /// The first touch of two moving sets.
 struct SetPairHit {

@@ -169,12 +169,18 @@ struct BlastResult {
 };
 
 /// A blast in one call: carve() makes the crater; what comes loose becomes debris and breaks as its matter does;
-/// debris near it that it sees breaks; then all bodies near it are pushed, by what is left of the world.
+/// debris near it that it sees breaks; then all bodies near it are pushed, by what is left of the world. Parts cover,
+/// as exposure() says, and stay as they are: carve_part() cuts them.
 /// @param crater, pose  as for carve(). A cutter that is not valid() carves nothing. Where the crater is refused all
 ///                      else happens: see BlastResult::carve
 /// The same on every machine. Costs carve(), shatter() a body that breaks and blast_push().
-[[nodiscard]] FIRMA_EXPORT BlastResult explode(const World& world, Bodies& bodies, Debris& debris, const Blast& blast,
+[[nodiscard]] FIRMA_EXPORT BlastResult explode(const Scene& scene, Bodies& bodies, Debris& debris, const Blast& blast,
                                                const Cutter& crater, const Pose& pose,
                                                const BlastOptions& options = {});
+/// In a world without parts.
+[[nodiscard]] inline BlastResult explode(const World& world, Bodies& bodies, Debris& debris, const Blast& blast,
+                                         const Cutter& crater, const Pose& pose, const BlastOptions& options = {}) {
+    return explode(Scene{world}, bodies, debris, blast, crater, pose, options);
+}
 
 }  // namespace firma

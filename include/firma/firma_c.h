@@ -1189,6 +1189,18 @@ typedef struct firma_set_hit {
 FIRMA_API firma_code firma_cast_set(firma_world world, const double* spheres, size_t count, const firma_motion* motion,
                                     const firma_cast_options* options, firma_set_hit* hit);
 
+/* The first touch of a set with a level or its parts, which move meanwhile. */
+typedef struct firma_set_part_hit {
+    firma_part_hit hit; /* `hit.hit.centre` is that of the sphere that touches */
+    uint32_t sphere;    /* its number in the set; FIRMA_NO_SPHERE when nothing was touched */
+    uint32_t reserved;
+} firma_set_part_hit;
+
+/* The same in a level with parts: what firma_cast_scene() says of these holds here. */
+FIRMA_API firma_code firma_cast_set_scene(const firma_scene* scene, const double* spheres, size_t count,
+                                          const firma_motion* motion, const firma_cast_options* options,
+                                          firma_set_part_hit* hit);
+
 /* The first touch of two sets, both of which move. */
 typedef struct firma_set_pair_hit {
     double fraction;             /* 1 of a miss; of FIRMA_INVALID 0 */
@@ -1755,9 +1767,10 @@ FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
 FIRMA_API firma_code firma_body_index_create(firma_bodies bodies, double seconds, firma_body_index* index);
 FIRMA_API firma_code firma_body_index_release(firma_body_index index);
 
-/* The first touch with a body. A miss has fraction 1, FIRMA_INVALID 0. */
+/* The first touch with a body. A miss has fractions of 1, FIRMA_INVALID of 0. */
 typedef struct firma_body_hit {
     double fraction;            /* of the way */
+    double safe_fraction;       /* the contact offset before it, by the speed along the normal; at least 0 */
     double centre[3];           /* of the sphere that was cast, at the touch, metres */
     double point[3];            /* metres */
     double normal[3];           /* unit, from the body toward what was cast */
@@ -1771,9 +1784,10 @@ typedef struct firma_body_hit {
 
 /* A null pointer takes the defaults. */
 typedef struct firma_body_cast_options {
-    uint32_t size;        /* sizeof(firma_body_cast_options) */
-    uint32_t mask;        /* bodies that share a bit are met; all */
-    firma_body_id except; /* is not: who casts; slot FIRMA_NO_BODY: none */
+    uint32_t size;         /* sizeof(firma_body_cast_options) */
+    uint32_t mask;         /* bodies that share a bit are met; all */
+    firma_body_id except;  /* is not: who casts; slot FIRMA_NO_BODY: none */
+    double contact_offset; /* metres for safe_fraction; below 0 counts as 0; 0.001 */
 } firma_body_cast_options;
 
 FIRMA_API void firma_body_cast_options_defaults(firma_body_cast_options* options);
@@ -2193,6 +2207,10 @@ FIRMA_API firma_code firma_blast_impulse(const firma_blast* blast, const double 
  * fronts of faces that share a bit with `mask` cover. 0 for none. Takes memory for a copy of the spheres. */
 FIRMA_API firma_code firma_exposure(firma_world world, const double from[3], const double* spheres, size_t count,
                                     uint32_t mask, double* seen);
+/* The same in a level with parts, which cover from where they are as the scene's stretch begins. Nothing is seen in a
+ * scene that cannot be cast in. */
+FIRMA_API firma_code firma_exposure_scene(const firma_scene* scene, const double from[3], const double* spheres,
+                                          size_t count, uint32_t mask, double* seen);
 
 /* A null pointer takes the defaults. */
 typedef struct firma_push_options {
@@ -2213,6 +2231,9 @@ typedef struct firma_push_report {
 /* Pushes all bodies near a blast, weaker farther away, and by what stands before them. `report` may be null. */
 FIRMA_API firma_code firma_blast_push(firma_world world, firma_bodies bodies, const firma_blast* blast,
                                       const firma_push_options* options, firma_push_report* report);
+/* The same in a level with parts, which cover as in firma_exposure_scene(). */
+FIRMA_API firma_code firma_blast_push_scene(const firma_scene* scene, firma_bodies bodies, const firma_blast* blast,
+                                            const firma_push_options* options, firma_push_report* report);
 
 /* A null pointer takes the defaults. */
 typedef struct firma_explode_options {
@@ -2248,6 +2269,12 @@ typedef struct firma_explosion {
 FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bodies,
                                    const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
                                    const firma_explode_options* options, firma_world* after, firma_explosion* report);
+/* The same in a level with parts, which cover as in firma_exposure_scene() and stay as they are: firma_parts_carve()
+ * cuts them. */
+FIRMA_API firma_code firma_explode_scene(const firma_scene* scene, firma_debris debris, firma_bodies bodies,
+                                         const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
+                                         const firma_explode_options* options, firma_world* after,
+                                         firma_explosion* report);
 
 /* ---- parts of levels -------------------------------------------------------------------------------------------- */
 

@@ -39,8 +39,20 @@ GridBox box_of_way(const Vec3& start, const Vec3& path, double reach) {
 BodyHit invalid_hit() {
     BodyHit hit;
     hit.status = Status::kInvalid;
-    hit.fraction = 0;
+    hit.fraction = hit.safe_fraction = 0;
     return hit;
+}
+
+/// Of a sphere of a set that moves.
+Vec3 velocity_of(const RigidMotion& motion, const Vec3& centre, double fraction) {
+    const TurnMatrix rotation = matrix_of(normalised(motion.rotation));
+    return Arc(motion.position, motion.path, TurnRate(motion.turn), rotation * centre).velocity_at(fraction);
+}
+
+double safe_fraction(double fraction, double speed, double offset) {
+    if (!(is_finite(offset) && offset > 0)) return fraction;
+    const double back = speed > 0 ? offset / speed : 1;
+    return back < fraction ? fraction - back : 0;
 }
 
 }  // namespace
@@ -86,6 +98,10 @@ BodyHit BodyIndex::cast(std::span<const Sphere> spheres, const RigidMotion& moti
         first.sphere = hit.sphere_a;
         first.point = hit.point;
         first.normal = hit.normal;
+        const Vec3& met = entry.shape.data().spheres[hit.sphere_b].centre;
+        const Vec3 comes = velocity_of(motion, spheres[hit.sphere_a].centre, hit.fraction) -
+                           velocity_of(entry.motion, met, hit.fraction);
+        first.safe_fraction = safe_fraction(hit.fraction, -dot(comes, hit.normal), options.contact_offset);
         const Vec3 middle = entry.motion.position + entry.motion.path * hit.fraction;
         first.surface_velocity = entry.velocity + cross(entry.spin, hit.point - middle);
         return false;

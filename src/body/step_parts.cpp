@@ -72,9 +72,9 @@ void StepParts::compare(std::vector<std::uint64_t>& hashes) {
     hashes.resize(parts_.size());
 }
 
-SetPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
-                               std::uint32_t left_out, const CastOptions& options) const {
-    SetPartHit first;
+StepPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
+                                std::uint32_t left_out, const CastOptions& options) const {
+    StepPartHit first;
     double reach = 0;
     for (const Sphere& sphere : spheres) reach = std::max(reach, length(sphere.centre) + sphere.radius);
     const TurnMatrix rotation = matrix_of(normalised(motion.rotation));

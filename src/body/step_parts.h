@@ -33,7 +33,7 @@ struct StepPart {
 };
 
 /// A touch of a set with a part.
-struct SetPartHit : SetHit {
+struct StepPartHit : SetHit {
     std::uint32_t part = kNoPart;
 };
 
@@ -54,8 +54,8 @@ public:
     /// The first touch of a moving set with a part, between two fractions of the step; as cast() of a set and a
     /// world. Its own fractions are of the set's motion.
     /// @param left_out  a part that it cannot meet; kNoPart: none
-    SetPartHit cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
-                        std::uint32_t left_out, const CastOptions& options) const;
+    StepPartHit cast_set(std::span<const Sphere> spheres, const RigidMotion& motion, double from, double to,
+                         std::uint32_t left_out, const CastOptions& options) const;
 
     struct Carried {
         RigidMotion motion;

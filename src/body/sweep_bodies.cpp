@@ -202,7 +202,7 @@ void BodySweep::find_part_touch(std::uint32_t slot) {
     CastOptions options;
     options.mask = bodies_.slots[slot].mask;
     options.contact_offset = rules_.skin * 0.25;
-    const SetPartHit hit =
+    const StepPartHit hit =
         parts_.cast_set(cores_of(slot, cores_), way.motion, way.from, way.to, way.carried_by, options);
     if (!hit.touched()) return;
     touches_.push({way.from + hit.safe_fraction * (way.to - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point,

@@ -20,17 +20,22 @@ bool is_sound(const Blast& blast) {
            blast.impulse >= 0;
 }
 
-bool sees(const World& world, const Vec3& from, const Vec3& to, const CastOptions& options) {
+/// As its stretch begins: nothing moves while a blast goes on.
+Scene standing(const Scene& scene) {
+    return {scene.world, scene.parts, scene.from, scene.from};
+}
+
+bool sees(const Scene& scene, const Vec3& from, const Vec3& to, const CastOptions& options) {
     const Vec3 path = to - from;
     if (path == Vec3{}) return true;
-    return cast_any(world, Ray{from, path}, options) == Status::kMiss;
+    return cast_any(scene, Ray{from, path}, options) == Status::kMiss;
 }
 
 /// How many of the rays to a sphere get there.
-int rays_seen(const World& world, const Vec3& from, const Sphere& sphere, const CastOptions& options) {
+int rays_seen(const Scene& scene, const Vec3& from, const Sphere& sphere, const CastOptions& options) {
     const Vec3 way = sphere.centre - from;
     const double far = length(way);
-    int seen = sees(world, from, sphere.centre, options);
+    int seen = sees(scene, from, sphere.centre, options);
     if (!(far > 0)) return seen ? kRays : 0;
     int least = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -40,7 +45,7 @@ int rays_seen(const World& world, const Vec3& from, const Sphere& sphere, const 
     Vec3 u = cross(way, along);
     u = u * (kAround * sphere.radius / length(u));
     const Vec3 v = cross(way, u) * (1 / far);
-    for (const Vec3& around : {u, v, -u, -v}) seen += sees(world, from, sphere.centre + around, options);
+    for (const Vec3& around : {u, v, -u, -v}) seen += sees(scene, from, sphere.centre + around, options);
     return seen;
 }
 
@@ -57,7 +62,7 @@ struct BodyPush {
     bool reached = false, seen = false;
 };
 
-BodyPush push_of(const World& world, const Body& body, const Blast& blast, const CastOptions& options) {
+BodyPush push_of(const Scene& scene, const Body& body, const Blast& blast, const CastOptions& options) {
     BodyPush push;
     const Pose pose = pose_of(body);
     const TurnMatrix turn = matrix_of(pose.rotation);
@@ -70,7 +75,7 @@ BodyPush push_of(const World& world, const Body& body, const Blast& blast, const
         const Sphere sphere{pose.position + turn * given.centre, given.radius};
         if (!(length(sphere.centre - blast.at) < blast.radius)) continue;
         push.reached = true;
-        const int seen = rays_seen(world, blast.at, sphere, options);
+        const int seen = rays_seen(scene, blast.at, sphere, options);
         if (seen == 0) continue;
         push.seen = true;
         const double area = kPi * sphere.radius * sphere.radius * shown;
@@ -109,17 +114,19 @@ Vec3 blast_impulse(const Blast& blast, const Vec3& point, double area, double se
     return far > 0 ? way * (size / far) : Vec3{0, 0, size};
 }
 
-double exposure(const World& world, const Vec3& from, std::span<const Vec3> points, std::uint32_t mask) {
+double exposure(const Scene& scene, const Vec3& from, std::span<const Vec3> points, std::uint32_t mask) {
     if (points.empty() || !is_finite(from)) return 0;
     const CastOptions options = options_of(mask);
+    const Scene there = standing(scene);
     std::size_t seen = 0;
-    for (const Vec3& point : points) seen += is_finite(point) && sees(world, from, point, options);
+    for (const Vec3& point : points) seen += is_finite(point) && sees(there, from, point, options);
     return double(seen) / double(points.size());
 }
 
-double exposure(const World& world, const Vec3& from, std::span<const Sphere> spheres, std::uint32_t mask) {
+double exposure(const Scene& scene, const Vec3& from, std::span<const Sphere> spheres, std::uint32_t mask) {
     if (!is_finite(from)) return 0;
     const CastOptions options = options_of(mask);
+    const Scene there = standing(scene);
     double seen = 0, all = 0;
     for (const Sphere& sphere : spheres) {
         const double square = sphere.radius * sphere.radius;
@@ -127,20 +134,21 @@ double exposure(const World& world, const Vec3& from, std::span<const Sphere> sp
         // Points count, too: as if of a radius that is nothing beside others'.
         const double weight = square + 0x1p-60;
         all += weight;
-        seen += weight * rays_seen(world, from, sphere, options) / kRays;
+        seen += weight * rays_seen(there, from, sphere, options) / kRays;
     }
     return all > 0 ? std::min(seen / all, 1.0) : 0;
 }
 
-PushReport blast_push(const World& world, Bodies& bodies, const Blast& blast, const PushOptions& options) {
+PushReport blast_push(const Scene& scene, Bodies& bodies, const Blast& blast, const PushOptions& options) {
     PushReport report;
     if (!is_sound(blast) || !(options.max_speed >= 0)) return report;
     const CastOptions rays = options_of(options.mask);
+    const Scene there = standing(scene);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         const Body& body = bodies.slots[slot];
         if (!body.shape.valid()) continue;
         if (!(length(body.position - blast.at) < blast.radius + body.shape.reach())) continue;
-        const BodyPush push = push_of(world, body, blast, rays);
+        const BodyPush push = push_of(there, body, blast, rays);
         report.reached += push.reached;
         report.pushed += push.seen;
         if (push.seen) give(bodies, {slot, body.use}, push, options.max_speed);

@@ -13,14 +13,15 @@ namespace {
 
 class Explosion {
 public:
-    Explosion(Bodies& bodies, Debris& debris, const Blast& blast, const BlastOptions& options)
-        : bodies_(bodies), debris_(debris), blast_(blast), options_(options) {
+    Explosion(const Scene& scene, Bodies& bodies, Debris& debris, const Blast& blast, const BlastOptions& options)
+        : before_blast_(scene), bodies_(bodies), debris_(debris), blast_(blast), options_(options) {
         options_.max_spheres = std::clamp<std::size_t>(options_.max_spheres, 1, kMaxSpheres);
         for (std::uint32_t slot = 0; slot < debris.slots.size(); ++slot)
             if (debris.find(bodies, {slot, debris.slots[slot].use})) before_.push_back({slot, debris.slots[slot].use});
     }
 
-    void carve_world(const World& world, const Cutter& crater, const Pose& pose) {
+    void carve_world(const Cutter& crater, const Pose& pose) {
+        const World& world = before_blast_.world;
         if (crater.valid()) {
             result_.carve = carve(world, crater, pose, options_.carve);
         } else {
@@ -44,7 +45,7 @@ public:
     }
 
     BlastResult finish() {
-        result_.push = blast_push(result_.carve.world, bodies_, blast_, options_.push);
+        result_.push = blast_push(after_blast(), bodies_, blast_, options_.push);
         return std::move(result_);
     }
 
@@ -78,9 +79,11 @@ private:
         return false;
     }
 
-    bool is_seen(BodyId id) const {
-        return exposure(result_.carve.world, blast_.at, spheres_of(id), options_.push.mask) > 0;
+    Scene after_blast() const {
+        return {result_.carve.world, before_blast_.parts, before_blast_.from, before_blast_.to};
     }
+
+    bool is_seen(BodyId id) const { return exposure(after_blast(), blast_.at, spheres_of(id), options_.push.mask) > 0; }
 
     /// @return false where it stays whole
     bool break_body(BodyId id, std::vector<BodyId>& to) {
@@ -105,6 +108,7 @@ private:
         return true;
     }
 
+    const Scene before_blast_;
     Bodies& bodies_;
     Debris& debris_;
     const Blast& blast_;
@@ -116,10 +120,10 @@ private:
 
 }  // namespace
 
-BlastResult explode(const World& world, Bodies& bodies, Debris& debris, const Blast& blast, const Cutter& crater,
+BlastResult explode(const Scene& scene, Bodies& bodies, Debris& debris, const Blast& blast, const Cutter& crater,
                     const Pose& pose, const BlastOptions& options) {
-    Explosion explosion(bodies, debris, blast, options);
-    explosion.carve_world(world, crater, pose);
+    Explosion explosion(scene, bodies, debris, blast, options);
+    explosion.carve_world(crater, pose);
     explosion.break_debris();
     return explosion.finish();
 }

@@ -20,9 +20,14 @@ void carve_parts(GameState& game, const Cutter& crater, const Pose& pose, const 
     }
 }
 
+/// Its parts where they are now.
+Scene scene_now(const GameState& game) {
+    return {game.world, game.parts, 1, 1};
+}
+
 void push_player(const GameState& game, const Blast& blast, GamePlayer& player) {
     const SphereSet spheres = spheres_of_player(player);
-    const double seen = exposure(game.world, blast.at, spheres);
+    const double seen = exposure(scene_now(game), blast.at, spheres);
     const double area = 2 * player.shape.radius() * player.shape.height(player.player.crouched);
     Vec3 push = blast_impulse(blast, middle_of_player(player), area, seen) * (1 / player.mass);
     const double speed = length(push);
@@ -50,12 +55,10 @@ void explode_charge(GameState& game, const Vec3& at, const Charge& charge, GameR
     options.seed = seed;
     options.push.max_speed = game.rules.max_blast_speed;
     const Cutter crater = charge.crater > 0 ? make_crater(charge.shape, seed) : Cutter();
-    BlastResult result = explode(game.world, game.bodies, game.debris, blast, crater, command.pose, options);
+    if (crater.valid()) carve_parts(game, crater, command.pose, charge.material);
+    BlastResult result = explode(scene_now(game), game.bodies, game.debris, blast, crater, command.pose, options);
     game.world = result.carve.world;
-    if (crater.valid()) {
-        keep_edit(game, command, result.carve.status, result.carve.error, report);
-        carve_parts(game, crater, command.pose, charge.material);
-    }
+    if (crater.valid()) keep_edit(game, command, result.carve.status, result.carve.error, report);
     for (GamePlayer& player : game.players) push_player(game, blast, player);
     report.loose += result.loose.size();
     report.broken += result.broken;

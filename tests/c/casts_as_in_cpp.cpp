@@ -127,8 +127,9 @@ TEST_F(CastsAsInCpp, AtBodies) {
         for (int k = 0; k < 300; ++k) {
             const SphereSet cast_set = random_set(rng, 1 + int(rng.below(3)));
             const RigidMotion motion = random_motion(rng, {}, 12);
-            const BodyCastOptions options{1, {rng.below(30), 0}};
-            firma_body_cast_options options_in_c{sizeof options_in_c, 1, {options.except.slot, options.except.use}};
+            const BodyCastOptions options{1, {rng.below(30), 0}, rng.uniform(0, 0.1)};
+            firma_body_cast_options options_in_c{
+                sizeof options_in_c, 1, {options.except.slot, options.except.use}, options.contact_offset};
             const bool single = rng.chance(0.5);
             const BodyHit expected = single
                                          ? index.cast(Sphere{motion.position, cast_set[0].radius}, motion.path, options)
@@ -146,9 +147,10 @@ TEST_F(CastsAsInCpp, AtBodies) {
                                              &options_in_c, &hit));
             }
             ASSERT_EQ(hit.status, std::uint32_t(expected.status));
-            ASSERT_TRUE(same_bits(hit.fraction, expected.fraction) && same_bits(hit.centre, expected.centre) &&
-                        same_bits(hit.point, expected.point) && same_bits(hit.normal, expected.normal) &&
-                        same_bits(hit.surface_velocity, expected.surface_velocity));
+            ASSERT_TRUE(
+                same_bits(hit.fraction, expected.fraction) && same_bits(hit.safe_fraction, expected.safe_fraction) &&
+                same_bits(hit.centre, expected.centre) && same_bits(hit.point, expected.point) &&
+                same_bits(hit.normal, expected.normal) && same_bits(hit.surface_velocity, expected.surface_velocity));
             ASSERT_TRUE(hit.body.slot == expected.body.slot && hit.body.use == expected.body.use);
             ASSERT_TRUE(hit.sphere == expected.sphere && hit.body_sphere == expected.body_sphere);
             hits += expected.touched();

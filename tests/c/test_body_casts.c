@@ -50,6 +50,7 @@ static void test_standing(const struct two_balls* balls) {
     CHECK(hit.status == FIRMA_HIT && is_near(hit.fraction, 0.5) && is_near(hit.normal[0], -1));
     CHECK(hit.body.slot == balls->first.slot && hit.body.use == balls->first.use);
     CHECK(hit.body_sphere == 0 && hit.sphere == 0 && is_near(hit.point[0], 3.5) && is_near(hit.centre[0], 3.5));
+    CHECK(is_near(hit.safe_fraction, 0.5 - 0.001 / 7));
     /* Of the spin, half a metre from the axis, and of the velocity. */
     CHECK(is_near(hit.surface_velocity[1], -1) && is_near(hit.surface_velocity[2], 3));
     const firma_cast_input sphere = {{0, 0, 0}, 0.25, {6.5, 0, 0}};
@@ -59,13 +60,16 @@ static void test_standing(const struct two_balls* balls) {
     /* Without the one in front, the one behind it. */
     firma_body_cast_options options;
     firma_body_cast_options_defaults(&options);
-    CHECK(options.mask == UINT32_MAX && options.except.slot == FIRMA_NO_BODY);
+    CHECK(options.mask == UINT32_MAX && options.except.slot == FIRMA_NO_BODY && options.contact_offset == 0.001);
+    options.contact_offset = 0.7;
+    CHECK_OK(firma_body_index_cast(index, &ray, &options, &hit));
+    CHECK(is_near(hit.fraction, 0.5) && is_near(hit.safe_fraction, 0.4));
     options.except = balls->first;
     CHECK_OK(firma_body_index_cast(index, &ray, &options, &hit));
     CHECK(hit.body.slot == balls->second.slot && is_near(hit.point[0], 5.5));
     const firma_body_cast_options masked = {.size = offsetof(firma_body_cast_options, except), .mask = 0};
     CHECK_OK(firma_body_index_cast(index, &ray, &masked, &hit));
-    CHECK(hit.status == FIRMA_MISS && hit.fraction == 1 && hit.body.slot == FIRMA_NO_BODY);
+    CHECK(hit.status == FIRMA_MISS && hit.fraction == 1 && hit.safe_fraction == 1 && hit.body.slot == FIRMA_NO_BODY);
     CHECK(hit.sphere == FIRMA_NO_SPHERE && hit.body_sphere == FIRMA_NO_SPHERE);
 
     /* A sphere beside it, and a far one that a half turn of the set brings to the ball's side. */

@@ -259,6 +259,63 @@ static void test_ground(firma_world room) {
     release_column(fallen);
 }
 
+/* A block of 2 m that moves away upward covers the first sphere, and what lies there, as it begins. */
+static void test_cover_by_a_part(firma_world room, const double from[3], const double* spheres) {
+    const double positions[] = {-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
+    static const uint32_t corners[] = {3, 2, 1, 0, 5, 6, 7, 4, 1, 5, 4, 0, 2, 6, 5, 1, 3, 7, 6, 2, 0, 4, 7, 3};
+    static const uint32_t counts[] = {4, 4, 4, 4, 4, 4};
+    firma_mesh mesh = {.size = sizeof mesh, .positions = positions, .vertex_count = 8, .corners = corners};
+    mesh.corner_counts = counts;
+    mesh.face_count = 6;
+    firma_part block;
+    firma_part_defaults(&block);
+    CHECK_OK(firma_world_from_mesh(&mesh, "block", NULL, &block.world));
+    const firma_motion up = {.position = {4, 4, 2}, .rotation = {0, 0, 0, 1}, .path = {0, 0, 100}};
+    block.motion = up;
+    firma_scene scene;
+    firma_scene_defaults(&scene);
+    scene.world = room;
+    CHECK_OK(firma_parts_create(&scene.parts));
+    CHECK_OK(firma_parts_add(scene.parts, &block, NULL));
+    firma_bodies bodies = {0};
+    firma_debris debris = {0};
+    CHECK_OK(firma_bodies_create(&bodies));
+    CHECK_OK(firma_debris_create(&debris));
+    const firma_mass mass = {.volume = 0.5, .mass = 500, .inertia = {50, 0, 0, 0, 50, 0, 0, 0, 50}};
+    firma_body_shape ball = {0};
+    CHECK_OK(firma_body_shape_spheres((const double[4]){0, 0, 0, 0.5}, 1, &mass, &ball));
+    const firma_pose there = {{2, 4, 2}, {0, 0, 0, 1}, 1};
+    firma_body_id id;
+    CHECK_OK(firma_bodies_add(bodies, ball, &there, &id));
+    firma_blast blast;
+    firma_blast_defaults(&blast);
+    memcpy(blast.at, from, sizeof blast.at);
+    for (int gone = 0; gone < 2; ++gone) {
+        scene.from = gone;
+        double seen = 9;
+        CHECK_OK(firma_exposure_scene(&scene, from, spheres, 1, UINT32_MAX, &seen));
+        CHECK(seen == gone);
+        firma_push_report pushed = {.size = sizeof pushed};
+        CHECK_OK(firma_blast_push_scene(&scene, bodies, &blast, NULL, &pushed));
+        CHECK(pushed.reached == 1 && pushed.pushed == (uint64_t)gone);
+        firma_explosion report = {.size = sizeof report};
+        firma_world after = {0};
+        CHECK_OK(firma_explode_scene(&scene, debris, bodies, &blast, (firma_cutter){0}, &there, NULL, &after, &report));
+        CHECK(report.reached == 1 && report.pushed == (uint64_t)gone && hash_of(after) == hash_of(room));
+        CHECK_OK(firma_world_release(after));
+    }
+    double seen = 9;
+    CHECK_FAILS(firma_exposure_scene(NULL, from, spheres, 1, UINT32_MAX, &seen), FIRMA_ERROR_BAD_CALL, "null");
+    scene.from = 2;
+    CHECK_OK(firma_exposure_scene(&scene, from, spheres, 1, UINT32_MAX, &seen));
+    CHECK(seen == 0);
+    CHECK_OK(firma_body_shape_release(ball));
+    CHECK_OK(firma_bodies_release(bodies));
+    CHECK_OK(firma_debris_release(debris));
+    CHECK_OK(firma_parts_release(scene.parts));
+    CHECK_OK(firma_world_release(block.world));
+}
+
 static void test_blasts(firma_world room) {
     firma_blast blast;
     firma_blast_defaults(&blast);
@@ -277,6 +334,7 @@ static void test_blasts(firma_world room) {
     CHECK(seen == 0.5); /* the second lies behind the wall */
     CHECK_OK(firma_exposure(room, from, NULL, 0, UINT32_MAX, &seen));
     CHECK(seen == 0);
+    test_cover_by_a_part(room, from, spheres);
     CHECK_FAILS(firma_blast_share(&blast, NAN, &share), FIRMA_ERROR_OUT_OF_RANGE, "distance");
     CHECK_FAILS(firma_blast_share(&blast, 1, NULL), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_blast_impulse(&blast, at, -1, 1, push), FIRMA_ERROR_OUT_OF_RANGE, "area");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "firma/blast.h"
+#include "firma/debris.h"
+#include "firma/moving_parts.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/random_vector.h"
@@ -135,6 +137,31 @@ TEST(Blasts, TurnWhatIsHalfCovered) {
     blast_push(with_wall(0.1), bodies, blast);
     EXPECT_NEAR(bodies.slots[0].velocity.x, 2 * covered, 1e-9);
     EXPECT_NEAR(bodies.slots[0].spin.y, 0, 1e-9);
+}
+
+TEST(Blasts, PartsCover) {
+    const World world = test::ground();
+    const World wall = test::brush_world(map_text::box({-0.25, -20, 0}, {0.25, 20, 9}, "rock"));
+    const RigidMotion aside{{2, 0, 0}, {0, 0, 0, 1}, {0, 60, 0}, {}};
+    const MovingPart parts[] = {MovingPart(wall, aside)};
+    const Sphere player[] = {{{4, 0, 0.4}, 0.3}, {{4, 0, 1.6}, 0.3}};
+    const Vec3 point{4, 0, 1}, at{0, 0, 0.5};
+    const Blast blast{at, 8, 400};
+    for (const double gone : {0.0, 1.0}) {
+        const Scene scene{world, parts, gone, 1};
+        EXPECT_EQ(exposure(scene, at, player), gone);
+        EXPECT_EQ(exposure(scene, at, std::span(&point, 1)), gone);
+        Bodies bodies;
+        add_body(bodies, body_here(ball(0.5), {4, 0, 0.5}));
+        EXPECT_EQ(blast_push(scene, bodies, blast).pushed, std::size_t(gone));
+        EXPECT_EQ(bodies.slots[0].velocity.x > 0, gone == 1);
+        Debris debris;
+        const BlastResult result = explode(scene, bodies, debris, blast, {}, {});
+        EXPECT_EQ(result.push.reached, 1u);
+        EXPECT_EQ(result.push.pushed, std::size_t(gone));
+        EXPECT_EQ(hash_world(result.carve.world), hash_world(world));
+    }
+    EXPECT_EQ(exposure(Scene{world, parts, 2, 2}, at, player), 0) << "no stretch";
 }
 
 TEST(Blasts, GiveNoMoreThanTheGreatestSpeed) {

@@ -6,6 +6,7 @@ import { bodiesNamed } from './debris_named.js';
 import { badCall } from './errors.js';
 import { idOf } from './handle.js';
 import { BLAST, CARVE_REPORT, EXPLODE_OPTIONS, EXPLOSION, PUSH_OPTIONS, PUSH_REPORT } from './layout.js';
+import { putScene } from './scenes.js';
 import { putMembers, structTable } from './structs.js';
 import { World } from './world.js';
 
@@ -55,29 +56,29 @@ export function blastImpulse(core, blast, point, area, seen = 1) {
     return core.getVector(core.at.input + 24);
 }
 
-export function exposure(core, world, from, spheres, bits = ~0) {
+export function exposure(core, scene, from, spheres, bits = ~0) {
     const place = 'exposure';
-    const id = idOf(world, core, place, 'world');
+    const asked = putScene(core, scene, place);
     doubles(spheres, 4, place, 'the spheres');
     mask(bits, place);
     core.setVector(core.at.input, vector(from, 3, place, 'from'));
     return core.borrow((lent) => {
         const at = lent.doubles(spheres);
-        core.run('firma_exposure', id, core.at.input, at, spheres.length / 4, bits, core.at.out);
+        core.run('firma_exposure_scene', asked, core.at.input, at, spheres.length / 4, bits, core.at.out);
         return core.getF64(core.at.out);
     });
 }
 
-export function pushBlast(core, world, bodies, blast, options) {
+export function pushBlast(core, scene, bodies, blast, options) {
     const place = 'pushBlast';
-    const level = idOf(world, core, place, 'world');
+    const asked = putScene(core, scene, place);
     const all = idOf(bodies, core, place, 'list of bodies');
     const at = putBlast(core, blast, place);
     const chosen = fresh(core, 'push');
     const given = object(options, place, 'the options', Object.keys(PUSH_KINDS));
     putMembers(core, chosen, PUSH_OPTIONS, PUSH_KINDS, given, place);
     const report = toFill(core, 'pushed');
-    core.run('firma_blast_push', level, all, at, chosen, report);
+    core.run('firma_blast_push_scene', asked, all, at, chosen, report);
     return {
         reached: core.getCount(report + PUSH_REPORT.reached),
         pushed: core.getCount(report + PUSH_REPORT.pushed),
@@ -97,10 +98,10 @@ function putExplode(core, lent, options, place) {
 }
 
 /** With a crater, or null for none. @param debris  its handle */
-export function explode(core, debris, bodies, world, blast, crater, pose, options) {
+export function explode(core, debris, bodies, scene, blast, crater, pose, options) {
     const place = 'explode';
     const all = idOf(bodies, core, place, 'list of bodies');
-    const level = idOf(world, core, place, 'world');
+    const asked = putScene(core, scene, place);
     const cutter = crater === null ? 0n : idOf(crater, core, place, 'cutter');
     const at = putBlast(core, blast, place);
     const where = putPose(core, crater === null ? (pose ?? HERE) : pose, place);
@@ -108,7 +109,7 @@ export function explode(core, debris, bodies, world, blast, crater, pose, option
         const chosen = putExplode(core, lent, options, place);
         const report = toFill(core, 'explosion');
         core.setU32(report + EXPLOSION.carve + CARVE_REPORT.size, CARVE_REPORT.sizeof);
-        core.run('firma_explode', level, debris, all, at, cutter, where, chosen, core.at.out, report);
+        core.run('firma_explode_scene', asked, debris, all, at, cutter, where, chosen, core.at.out, report);
         const after = new World(core, core.u64[core.at.out >>> 3]);
         const carve = getReport(core, report + EXPLOSION.carve);
         const counts = COUNTS.map((name) => [name, core.getCount(report + EXPLOSION[name])]);

@@ -15,10 +15,11 @@ const { fresh, toFill } = structTable({
 
 /** @returns the address of the struct */
 function putOptions(core, options, place) {
-    const { mask: bits, except } = object(options, place, 'the options', ['mask', 'except']);
+    const { mask: bits, except, contactOffset } = object(options, place, 'the options', ['mask', 'except', 'contactOffset']);
     const at = fresh(core, 'options');
     if (bits !== undefined) core.setU32(at + BODY_CAST_OPTIONS.mask, mask(bits, place));
     if (except !== undefined && except !== null) putBodyIdAt(core, at + BODY_CAST_OPTIONS.except, except, place);
+    if (contactOffset !== undefined) core.setF64(at + BODY_CAST_OPTIONS.contactOffset, number(contactOffset, place, 'contactOffset'));
     return at;
 }
 
@@ -28,6 +29,7 @@ function getBodyHit(core, at) {
         status,
         hit: status === 'hit' || status === 'touching',
         fraction: core.getF64(at + BODY_HIT.fraction),
+        safeFraction: core.getF64(at + BODY_HIT.safeFraction),
         centre: core.getVector(at + BODY_HIT.centre),
         point: core.getVector(at + BODY_HIT.point),
         normal: core.getVector(at + BODY_HIT.normal),

@@ -145,8 +145,8 @@ export class Debris extends Handle {
         };
     }
 
-    explode(bodies, world, blast, crater, pose, options) {
-        return explode(this[CORE], this[ID], bodies, world, blast, crater, pose, options);
+    explode(bodies, scene, blast, crater, pose, options) {
+        return explode(this[CORE], this[ID], bodies, scene, blast, crater, pose, options);
     }
 
     breakPart(bodies, parts, part, world, options) {

@@ -773,6 +773,14 @@ export const SET_HIT = Object.freeze({
     reserved: 156,
 });
 
+/** firma_set_part_hit */
+export const SET_PART_HIT = Object.freeze({
+    sizeof: 192,
+    hit: 0,
+    sphere: 184,
+    reserved: 188,
+});
+
 /** firma_set_pair_hit */
 export const SET_PAIR_HIT = Object.freeze({
     sizeof: 72,
@@ -1098,25 +1106,27 @@ export const BODY_CONTACT = Object.freeze({
 
 /** firma_body_hit */
 export const BODY_HIT = Object.freeze({
-    sizeof: 128,
+    sizeof: 136,
     fraction: 0,
-    centre: 8,
-    point: 32,
-    normal: 56,
-    surfaceVelocity: 80,
-    body: 104,
-    bodySphere: 112,
-    sphere: 116,
-    status: 120,
-    reserved: 124,
+    safeFraction: 8,
+    centre: 16,
+    point: 40,
+    normal: 64,
+    surfaceVelocity: 88,
+    body: 112,
+    bodySphere: 120,
+    sphere: 124,
+    status: 128,
+    reserved: 132,
 });
 
 /** firma_body_cast_options */
 export const BODY_CAST_OPTIONS = Object.freeze({
-    sizeof: 16,
+    sizeof: 24,
     size: 0,
     mask: 4,
     except: 8,
+    contactOffset: 16,
 });
 
 /** firma_projectile */

@@ -15,7 +15,7 @@ import { pathNextStop } from './part_paths.js';
 import { pierce } from './pierce.js';
 import { Game, kindOfBytes, Recording } from './recorded_games.js';
 import { closestInScene } from './scenes.js';
-import { castSet, castSetPair, fitSpheres } from './sphere_sets.js';
+import { castSet, castSetPair, castSetScene, fitSpheres } from './sphere_sets.js';
 import { Supports } from './supports.js';
 
 export { Projectiles } from './projectiles.js';
@@ -59,6 +59,10 @@ class Recordings extends Games {
         return castSet(this.#core, world, spheres, motion, options);
     }
 
+    castSetScene(scene, spheres, motion, options) {
+        return castSetScene(this.#core, scene, spheres, motion, options);
+    }
+
     castSetPair(a, motionA, b, motionB) {
         return castSetPair(this.#core, a, motionA, b, motionB);
     }
@@ -93,12 +97,12 @@ class Recordings extends Games {
         return blastImpulse(this.#core, blast, point, area, seen);
     }
 
-    exposure(world, from, spheres, mask) {
-        return exposure(this.#core, world, from, spheres, mask);
+    exposure(scene, from, spheres, mask) {
+        return exposure(this.#core, scene, from, spheres, mask);
     }
 
-    pushBlast(world, bodies, blast, options) {
-        return pushBlast(this.#core, world, bodies, blast, options);
+    pushBlast(scene, bodies, blast, options) {
+        return pushBlast(this.#core, scene, bodies, blast, options);
     }
 
     // ---- parts: when they stop, how they break

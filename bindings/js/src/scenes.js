@@ -87,7 +87,7 @@ export function putScene(core, scene, place) {
     return at;
 }
 
-const ofPart = (core, at, fields) => ({
+export const ofPart = (core, at, fields) => ({
     part: orNull(core.getU32(at + fields.part)),
     surfaceVelocity: core.getVector(at + fields.surfaceVelocity),
 });

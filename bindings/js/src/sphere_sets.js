@@ -5,11 +5,11 @@ import { putFit } from './bodies.js';
 import { badCall } from './errors.js';
 import { idOf } from './handle.js';
 import { getHit, putCastOptions } from './hits.js';
-import { FIT_OPTIONS, MOTION, SET_HIT, SET_PAIR_HIT, STATUS_NAMES } from './layout.js';
-import { putMotion } from './scenes.js';
+import { FIT_OPTIONS, MOTION, PART_HIT, SET_HIT, SET_PAIR_HIT, SET_PART_HIT, STATUS_NAMES } from './layout.js';
+import { ofPart, putMotion, putScene } from './scenes.js';
 import { orNull, structTable } from './structs.js';
 
-const { toFill } = structTable({ hit: [SET_HIT], pair: [SET_PAIR_HIT] });
+const { toFill } = structTable({ hit: [SET_HIT], pair: [SET_PAIR_HIT], ofPart: [SET_PART_HIT] });
 /** As the module has it where none is said. */
 const USUAL_SPHERES = 64;
 
@@ -32,6 +32,20 @@ export function castSet(core, world, spheres, motion, options) {
         const at = toFill(core, 'hit');
         core.run('firma_cast_set', id, ...set, chosen, at);
         return { ...getHit(core, at + SET_HIT.hit), sphere: orNull(core.getU32(at + SET_HIT.sphere)) };
+    });
+}
+
+export function castSetScene(core, scene, spheres, motion, options) {
+    const place = 'castSetScene';
+    return core.borrow((lent) => {
+        const asked = putScene(core, scene, place);
+        const set = putSet(core, lent, spheres, motion, place);
+        const chosen = putCastOptions(core, options, place);
+        const at = toFill(core, 'ofPart');
+        core.run('firma_cast_set_scene', asked, ...set, chosen, at);
+        const part = at + SET_PART_HIT.hit;
+        const sphere = orNull(core.getU32(at + SET_PART_HIT.sphere));
+        return { ...getHit(core, part + PART_HIT.hit), ...ofPart(core, part, PART_HIT), sphere };
     });
 }
 

@@ -25,6 +25,8 @@ test('rays, spheres and sets at bodies that stand', () => {
         const hit = index.cast(ray);
         assert.deepEqual([hit.status, hit.hit, hit.body, hit.bodySphere, hit.sphere], ['hit', true, first, 0, 0]);
         near(hit.fraction, 0.5);
+        near(hit.safeFraction, 0.5 - 0.001 / 7);
+        near(index.cast(ray, { contactOffset: 0.7 }).safeFraction, 0.4);
         near(hit.point[0], 3.5);
         near(hit.normal[0], -1);
         near(hit.surfaceVelocity[1], -1);

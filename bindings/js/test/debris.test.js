@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { throwsCode } from './helpers.js';
-import { boxCutter, holding, makeLowRoom, recordings } from './recording_helpers.js';
+import { boxCutter, boxWorld, holding, makeLowRoom, recordings } from './recording_helpers.js';
 
 const here = { position: [0, 0, 0] };
 const lumps = (size) => ({ style: 'lumps', sizeOfPiece: [size, size, size], growth: 1, crooked: 0.5 });
@@ -174,6 +174,12 @@ test('what blasts give at a distance and behind a wall', () => {
         assert.equal(recordings.exposure(room, from, spheres), 0.5);
         assert.equal(recordings.exposure(room, from, Float64Array.from(spheres), 0), 1); // nothing covers
         assert.equal(recordings.exposure(room, from, []), 0);
+        // A block of 2 m that moves away upward covers as it begins.
+        const parts = hold(recordings.parts());
+        parts.add({ world: hold(boxWorld([-1, -1, -1], [1, 1, 1], true)), motion: { position: [4, 4, 2], path: [0, 0, 100] } });
+        assert.equal(recordings.exposure({ world: room, parts }, from, spheres.slice(0, 4)), 0);
+        assert.equal(recordings.exposure({ world: room, parts, from: 1 }, from, spheres.slice(0, 4)), 1);
+        assert.equal(recordings.exposure({ world: room, parts, from: 2 }, from, spheres.slice(0, 4)), 0);
         throwsCode('OUT_OF_RANGE', () => recordings.blastShare({}, NaN), /distance/);
         throwsCode('OUT_OF_RANGE', () => recordings.blastShare({ radius: 0 }, 1), /blast/);
         throwsCode('OUT_OF_RANGE', () => recordings.blastImpulse({}, [0, 0, 3], -1), /area/);

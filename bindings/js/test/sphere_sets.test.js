@@ -18,6 +18,13 @@ test('a set against a room', () => {
         const { sphere, ...rest } = hit;
         assert.equal(sphere, 1);
         assert.deepEqual(rest, room.cast({ centre: [5, 4, 2], radius: 0.25, path: [6, 0, 0] }));
+        const parts = hold(recordings.parts());
+        parts.add({ world: hold(boxWorld([-0.5, -2, -2], [0.5, 2, 2], true)), motion: { position: [9, 4, 2], path: [-6, 0, 0] } });
+        const met = recordings.castSetScene({ world: room, parts }, bar, { position: [4, 4, 2], path: [0, 0, 0] });
+        assert.deepEqual([met.hit, met.part], [true, 0]);
+        assert.ok(Math.abs(met.surfaceVelocity[0] + 6) < 1e-9 && met.sphere !== null);
+        const alone = recordings.castSetScene(room, bar, { position: [4, 4, 2], path: [6, 0, 0] });
+        assert.deepEqual([alone.fraction, alone.sphere, alone.part], [hit.fraction, hit.sphere, null]);
         // One that turns comes to the wall where sin(a) = 0.75.
         const turned = recordings.castSet(room, [0, 1, 0, 0.25], { position: [7, 4, 2], turn: [0, 0, -1.5] });
         assert.deepEqual([turned.hit, turned.sphere, turned.point[0]], [true, 0, 8]);
