@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER [NAME]], all, or of the fire
-// fight, the insides and the phone those that have NAME in their name. They leave out the line of times: frames that a program steps, drawn in software, say nothing about them.
+// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER [NAME]], all, or
+// those that have NAME in their name. They leave out the line of times: frames that a program steps, drawn in software, say nothing about them.
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -83,17 +83,19 @@ async function fire(page, shots) {
     }
 }
 
-// A fire fight in the depot: rockets at the gallery, a grenade, the bridge comes down and breaks, a shot into what lies there.
+// A fire fight in the depot: a rocket at a wall of brick, the bridge comes down and breaks, a shot into what lies there.
 if (wanted('playground_fire_fight')) {
-    const page = await stand(20, 9, 0.01, 'depot.map');
+    const page = await stand(21.5, 3.5, 0.01, 'depot.map');
     await page.evaluate(() => (document.querySelector('#cross').hidden = true));
-    await call(page, 'look', 2.75, 0.2);
+    await call(page, 'look', 1.637, 0.02);
     await go(page, 0.05, 1, { rocket: true });
     await go(page, 0.05, 2);
     await keep(page, 0.03);
     for (let k = 0; k < 20; ++k) if ((await call(page, 'step', 0.03, {})).version > 0) break;
     await keep(page, 0.06);
-    await keep(page, 0.5);
+    await call(page, 'place', 21.3, 10.6, 0.01);
+    await go(page, 0.1, 4);
+    await keep(page, 1.4);
     await call(page, 'startSet', 'bridge');
     await call(page, 'place', 20.5, 9.6, 0.01);
     await call(page, 'look', 3.5, 0.16);
@@ -129,7 +131,7 @@ if (wanted('playground_insides')) {
         await go(page, 1 / 60, 1);
         await keep(page, 10);
     }
-    await writeStrip(page, 'playground_insides.png', 2);
+    await writeStrip(page, 'playground_insides.jpeg', 2);
     await page.close();
 }
 
@@ -143,66 +145,72 @@ if (wanted('playground_phone')) {
     await page.close();
 }
 
-if (only) {
-    await session.close();
-    process.exit();
+// The hall, from its eastern side, after some shots.
+if (wanted('playground_hall')) {
+    const page = await stand(37, 25.4, 0.01);
+    await fire(page, [[2.93, 0.28], [2.8, 0.36], [3.05, 0.02], [3.2, 0.1], [3.35, -0.16], [2.62, 0.2], [2.72, -0.12], [3.52, 0.12], [2.95, -0.2], [2.45, 0.1]]);
+    await call(page, 'step', 1 / 60, {});
+    await call(page, 'look', 2.9, 0.1);
+    await shoot(page, 'playground_hall', 10, folder);
+    await page.close();
 }
 
-// The hall, from its eastern side, after some shots.
-let page = await stand(37, 25.4, 0.01);
-await fire(page, [[2.93, 0.28], [2.8, 0.36], [3.05, 0.02], [3.2, 0.1], [3.35, -0.16], [2.62, 0.2], [2.72, -0.12], [3.52, 0.12], [2.95, -0.2], [2.45, 0.1]]);
-await call(page, 'step', 1 / 60, {});
-await call(page, 'look', 2.9, 0.1);
-await shoot(page, 'playground_hall', 10, folder);
-await page.close();
-
 // A hole through five centimetres of wall, just now.
-page = await stand(13.6, 27.7, 0.01, 'first.obj', true);
-await fire(page, [[Math.PI, -0.02], [Math.PI - 0.2, -0.25], [Math.PI + 0.03, 0]]);
-await call(page, 'step', 1 / 60, {});
-await call(page, 'look', Math.PI - 0.02, -0.06);
-await shoot(page, 'playground_hole', 10, folder);
-await page.close();
+if (wanted('playground_hole')) {
+    const page = await stand(13.6, 27.7, 0.01, 'first.obj', true);
+    await fire(page, [[Math.PI, -0.02], [Math.PI - 0.2, -0.25], [Math.PI + 0.03, 0]]);
+    await call(page, 'step', 1 / 60, {});
+    await call(page, 'look', Math.PI - 0.02, -0.06);
+    await shoot(page, 'playground_hole', 10, folder);
+    await page.close();
+}
 
 // Outside, a cliff.
-page = await stand(52, 4, 0.2);
-await fire(page, [[-0.55, 0.06], [-0.72, 0.12], [-0.9, 0.02], [-0.4, 0.2], [-0.62, -0.12], [-1.1, 0.16]]);
-await call(page, 'step', 1 / 60, {});
-await call(page, 'look', -0.7, 0.04);
-await shoot(page, 'playground_cliff', 10, folder);
-
-await page.close();
+if (wanted('playground_cliff')) {
+    const page = await stand(52, 4, 0.2);
+    await fire(page, [[-0.55, 0.06], [-0.72, 0.12], [-0.9, 0.02], [-0.4, 0.2], [-0.62, -0.12], [-1.1, 0.16]]);
+    await call(page, 'step', 1 / 60, {});
+    await call(page, 'look', -0.7, 0.04);
+    await shoot(page, 'playground_cliff', 10, folder);
+    await page.close();
+}
 
 // A crater from near by.
-page = await stand(52, 4, 0.2);
-await fire(page, [[-0.72, 0.12], [-0.75, 0.14], [-0.7, 0.15]]);
-await call(page, 'place', 58.2, -1.9, 0.4);
-await call(page, 'look', -0.62, 0.3);
-await page.evaluate(() => (document.querySelector('#hud').hidden = true));
-await shoot(page, 'playground_crater', 10, folder);
-await page.close();
+if (wanted('playground_crater')) {
+    const page = await stand(52, 4, 0.2);
+    await fire(page, [[-0.72, 0.12], [-0.75, 0.14], [-0.7, 0.15]]);
+    await call(page, 'place', 58.2, -1.9, 0.4);
+    await call(page, 'look', -0.62, 0.3);
+    await page.evaluate(() => (document.querySelector('#hud').hidden = true));
+    await shoot(page, 'playground_crater', 10, folder);
+    await page.close();
+}
 
 // The depot's hall, its portals shown.
-page = await stand(18.75, 9.4, 0.01, 'depot.map');
-await call(page, 'togglePortals');
-await fire(page, [[3.05, 0.35], [3.3, -0.1]]);
-await call(page, 'step', 1 / 60, {});
-await call(page, 'look', 2.75, 0.12);
-await shoot(page, 'playground_depot', 10, folder);
-await page.close();
+if (wanted('playground_depot')) {
+    const page = await stand(18.75, 9.4, 0.01, 'depot.map');
+    await call(page, 'togglePortals');
+    await fire(page, [[3.05, 0.35], [3.3, -0.1]]);
+    await call(page, 'step', 1 / 60, {});
+    await call(page, 'look', 2.75, 0.12);
+    await shoot(page, 'playground_depot', 10, folder);
+    await page.close();
+}
 
 // Its bridge, just after the shot at the other end; then as it goes.
-page = await stand(18.75, 9.4, 0.01, 'depot.map');
-await play(page, 'bridge');
-await shoot(page, 'playground_bridge', 0.16, folder);
-await go(page, 0.1, 40);
-await shoot(page, 'playground_bridge_lies', 5, folder);
+if (wanted('playground_bridge', 'playground_bridge_lies', 'playground_portal')) {
+    const page = await stand(18.75, 9.4, 0.01, 'depot.map');
+    await play(page, 'bridge');
+    await shoot(page, 'playground_bridge', 0.16, folder);
+    await go(page, 0.1, 40);
+    await shoot(page, 'playground_bridge_lies', 5, folder);
 
-// And the wall between two offices.
-await play(page, 'wall');
-await call(page, 'togglePortals');
-await call(page, 'step', 1 / 60, {});
-await shoot(page, 'playground_portal', 10, folder);
-await page.close();
+    // And the wall between two offices.
+    await play(page, 'wall');
+    await call(page, 'togglePortals');
+    await call(page, 'step', 1 / 60, {});
+    await shoot(page, 'playground_portal', 10, folder);
+    await page.close();
+}
 
 await session.close();

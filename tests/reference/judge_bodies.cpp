@@ -155,6 +155,17 @@ bool BodyDepths::is_lost(const World& world, const Vec3& centre) const {
     return at.where == Where::kUnknown || (at.where == Where::kAir && outside_[at.room.value]);
 }
 
+/// Metres, into the nearest of the faces that bound solid; 0 where none is touched. Others may be nearer.
+double BodyDepths::depth_in_solid(const World& world, const Sphere& sphere) const {
+    double depth = 0;
+    overlap_each(world, sphere, [&](const Overlap& overlap) {
+        if (overlap.face.valid() && world.face_info(overlap.face)->solid)
+            depth = std::max(depth, sphere.radius - overlap.distance);
+        return true;
+    });
+    return depth;
+}
+
 std::string BodyDepths::fault_of(const World& world, const firma::Body& body) {
     const double skin = world.tolerance().contact_offset;
     const Pose pose = pose_of(body);
@@ -164,9 +175,7 @@ std::string BodyDepths::fault_of(const World& world, const firma::Body& body) {
         const Vec3 centre = pose.position + turn * sphere.centre;
         if (locate(world.solid(), centre) == Where::kSolid) return "a centre in solid";
         if (kept_in_ && is_lost(world, centre)) return "lost";
-        const NearFace near = closest(world, centre, sphere.radius);
-        if (!near || !world.face_info(near.face)->solid) continue;
-        const double depth = sphere.radius - near.distance;
+        const double depth = depth_in_solid(world, {centre, sphere.radius});
         deepest_ = std::max(deepest_, depth);
         if (depth > skin * 1.001) return "a sphere " + std::to_string(depth) + " m deep";
     }

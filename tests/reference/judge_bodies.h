@@ -12,7 +12,7 @@
 
 namespace firma::reference {
 
-/// In the air of rooms that are not outside, clear of all, of 1 to 40 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
+/// In the air of rooms that are not outside, clear of all, of 1 to 200 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
 /// @param walls  one of its faces is near
 firma::Body random_body(const World& world, const Level& walls, scenes::Rng& rng);
 
@@ -31,6 +31,7 @@ public:
 
 private:
     bool is_lost(const World& world, const Vec3& centre) const;
+    double depth_in_solid(const World& world, const Sphere& sphere) const;
     std::string fault_of(const World& world, const firma::Body& body);
 
     const bool kept_in_;
