@@ -102,7 +102,7 @@ test('arguments of every kind', () => {
         const others = ['constructor', 'game', 'unpackGame', 'unpackRecording', 'kindOfBytes'];
         const answers = { returned: 0 };
         for (let round = 0; round < 120; ++round) {
-            if (parts.count() < 8) parts.add({ world: block, motion: { position: vectorOf(3).map((x) => (x < 8 ? x : 4)), path: [0, 0, next()] } });
+            if (parts.count() < 8) parts.add({ world: block, motion: { position: vectorOf(3).map((x) => (Math.abs(x) < 8 ? x : 4)), path: [0, 0, next()] } });
             for (const object of [recordings, debris, supports]) {
                 for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(object))) {
                     if (others.includes(name)) continue;
