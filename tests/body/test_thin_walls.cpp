@@ -112,19 +112,19 @@ double lowest(const World& world, double above) {
 
 TEST(ThinWalls, NoBodyLeavesThroughTheBottomOfACrater) {
     // The floor ends one step of the grid, or two, below the deepest point of the crater.
-    constexpr double kStep = 1.0 / 4096;
+    constexpr double kGridStep = 1.0 / 4096;
     const Cutter crater = make_crater(CutterShape::kRocky, 3);
-    const Row thick{3, kStep, 3};
+    const Row thick{3, kGridStep, 3};
     const Pose pose = pose_at(1.5 * kRoom, kRoom / 2, 0, 1.2);
     const CarveResult first = carve(thick.world(), crater, pose);
     ASSERT_TRUE(first.done());
     const double deepest = lowest(first.world, -2.9);
     ASSERT_LT(deepest, -0.5);
-    const Row row{3, kStep, -(std::floor(deepest / kStep) - 1) * kStep};
+    const Row row{3, kGridStep, -(std::floor(deepest / kGridStep) - 1) * kGridStep};
     const CarveResult cut = carve(row.world(), crater, pose);
     ASSERT_TRUE(cut.done());
     ASSERT_EQ(lowest(cut.world, -row.floor), deepest);
-    ASSERT_LE(row.floor + deepest, 2 * kStep);
+    ASSERT_LE(row.floor + deepest, 2 * kGridStep);
     for (const double rate : {60.0, 30.0}) throw_about(row, cut.world, rate, 3);
 }
 
