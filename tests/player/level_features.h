@@ -121,7 +121,7 @@ private:
         }
         return found;
     }
-    /// Flat floors between two walls 0.64 to 1.26 m apart, and along them 0.5 m to each side.
+    /// Flat floors between two plane walls 0.64 to 1.26 m apart, and along them 0.5 m to each side.
     std::vector<Feature> gaps() const {
         return from_floors([&](const Vec3& at, const Vec3& way) -> std::optional<Feature> {
             constexpr double kMostWide = 1.26;
@@ -135,16 +135,29 @@ private:
             const Vec3 middle = (left.point + right.point) * 0.5 - Vec3{0, 0, 1};
             const Feature gap{middle, way, width};
             if (!fits_along(gap, 0.5, 0.315, [](double) { return 0; })) return {};
+            for (double far = -0.5; far <= 0.5; far += 0.125)
+                for (double high = 0.05; high < 1.8; high += 0.35)
+                    for (const double to : {1.0, -1.0}) {
+                        const Vec3 from = middle + way * far + Vec3{0, 0, high};
+                        const Hit wall = cast(world_, Ray{from, side * to});
+                        if (!wall || std::fabs(length(wall.point - from) - width / 2) > 1e-6) return {};
+                    }
             return gap;
         });
     }
-    /// Flat floors with air of 1.85 to 2.6 m over them, a metre to each side.
+    /// Flat floors below flat ceilings at 1.85 to 2.6 m, a metre to each side.
     std::vector<Feature> low_ceilings() const {
         return from_floors([&](const Vec3& at, const Vec3& way) -> std::optional<Feature> {
             const Hit hit = cast(world_, Ray{at + Vec3{0, 0, 0.1}, {0, 0, 3}});
             if (!hit || hit.point.z - at.z < 1.85 || hit.point.z - at.z > 2.6 || hit.face_normal.z != -1) return {};
             const Feature ceiling{at, way, hit.point.z - at.z};
             if (!fits_along(ceiling, 1, 0.35, [](double) { return 0; })) return {};
+            for (double far = -1; far <= 1; far += 0.125)
+                for (double off = -0.35; off <= 0.35; off += 0.175) {
+                    const Vec3 from = at + way * far + Vec3{way.y, way.x, 0} * off + Vec3{0, 0, 0.1};
+                    const Hit over = cast(world_, Ray{from, {0, 0, 3}});
+                    if (!over || std::fabs(over.point.z - hit.point.z) > 1e-6) return {};
+                }
             return ceiling;
         });
     }

@@ -145,6 +145,7 @@ protected:
     }
     int level() const { return std::get<0>(GetParam()); }
     const World& world() const { return blasted_level(kBlastedLevels[level()]).world; }
+    bool is_box() const { return std::get<1>(GetParam()) == 1; }
     PlayerShape shape() const { return player_shapes()[std::size_t(std::get<1>(GetParam()))]; }
 
     static bool is_inside(const World& now, const Vec3& feet) {

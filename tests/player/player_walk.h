@@ -77,8 +77,9 @@ private:
         }
         const double way = length(across(at() - before.position - last.pushed));
         // In the air slopes turn the speed of a fall sideways.
-        const double flying = length(before.velocity) + rules.gravity * seconds;
-        const double had = before.on_ground ? length(across(before.velocity)) : flying;
+        const double jump = last.jumped ? rules.jump_speed : 0;
+        const double flying = length(before.velocity) + jump + rules.gravity * seconds;
+        const double had = before.on_ground && !last.jumped ? length(across(before.velocity)) : flying;
         const double asked = std::max(length(across(wish.velocity)), had);
         const double over_gap = last.stepped ? 2 * world.tolerance().contact_offset : 0;
         EXPECT_LE(way, asked * seconds * (1 + 1e-9) + 1e-12 + over_gap) << "tick " << ticks << " at " << where();
