@@ -35,7 +35,7 @@ int main() {
     }
     std::printf("%s of them became ground\n", grounded > 0 ? "some" : "none");
 
-    // What a player feels behind half a wall.
+    // What a player feels in the open; behind a wall less is seen.
     const firma::Vec3 player[] = {{32, 29, 1}, {32, 29, 1.8}};
     const double seen = firma::exposure(world, {32, 26, 1}, player);
     std::printf("a blast in the open: %.0f%% seen, %.0f N s\n", 100 * seen,

@@ -55,7 +55,7 @@ SphereSet spheres_about_centre(const Body& body) {
 
 TEST(BodyIndex, TheFirstOfAllAsEachByItself) {
     Rng rng(21);
-    int hits = 0, misses = 0;
+    int hits = 0, misses = 0, overlaps = 0;
     for (int scene = 0; scene < test::sample(60); ++scene) {
         const Bodies bodies = many_bodies(rng, 40);
         const double seconds = rng.chance(0.5) ? 0.0 : rng.uniform(0.01, 0.2);
@@ -88,12 +88,27 @@ TEST(BodyIndex, TheFirstOfAllAsEachByItself) {
             EXPECT_NEAR(hit.fraction, best, hit.body == who ? 1e-6 : 1e-9);
             EXPECT_LT(hit.body_sphere, bodies.find(hit.body)->shape.spheres().size());
             EXPECT_NEAR(length(hit.normal), 1, 1e-12);
-            // It touches what it says.
-            EXPECT_NEAR(length(hit.point - hit.centre), set[hit.sphere].radius, hit.fraction > 0 ? 2e-4 : 2.0);
+            // It touches what it says; what begins in a sphere is told where that sphere's surface is.
+            const Body& body = *bodies.find(hit.body);
+            const Pose pose = pose_at(motion_of(body, seconds), hit.fraction);
+            const Sphere met = spheres_about_centre(body)[hit.body_sphere];
+            const Vec3 middle = pose.position + matrix_of(normalised(pose.rotation)) * met.centre;
+            EXPECT_NEAR(length(hit.point - middle), met.radius, 2e-4);
+            const double depth = met.radius + set[hit.sphere].radius - length(hit.centre - middle);
+            if (hit.status == Status::kInitialOverlap) {
+                ++overlaps;
+                EXPECT_EQ(hit.fraction, 0);
+                EXPECT_GT(depth, 0);
+                EXPECT_NEAR(dot(hit.normal, hit.centre - middle), length(hit.centre - middle), 1e-9);
+            } else {
+                EXPECT_NEAR(depth, 0, 2e-4);
+                EXPECT_NEAR(length(hit.point - hit.centre), set[hit.sphere].radius, 2e-4);
+            }
         }
     }
     EXPECT_GT(hits, test::sample(300));
     EXPECT_GT(misses, test::sample(300));
+    EXPECT_GT(overlaps, test::sample(10));
 }
 
 TEST(BodyIndex, ARayAndASphereMeetABallWhereTheyShould) {

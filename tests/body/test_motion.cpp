@@ -180,17 +180,62 @@ TEST(Motion, AThousandTimesItsMassRestsOnABody) {
     }
 }
 
-TEST(Motion, StepsOfAnyLengthComeToTheSame) {
+/// Steps a second from long steps to short ones.
+constexpr int kRates[] = {10, 30, 60, 144, 1000};
+
+TEST(Motion, ABallComesToRollTheSameInStepsOfAnyLength) {
     const World world = ground();
-    for (const double seconds : {1.0 / 1000, 1.0 / 144, 1.0 / 60, 1.0 / 30, 1.0 / 10}) {
+    for (const int rate : kRates) {
+        Bodies bodies;
+        const BodyId id = add_body(bodies, body_here(ball(0.5), {-100, 0, 0.5}));
+        bodies.find(id)->velocity = {7, 0, 0};
+        bodies.find(id)->rolling = 0;
+        for (int k = 0; k < 5 * rate; ++k) step(bodies, world, 1.0 / rate, never_asleep());
+        const Body& body = *bodies.find(id);
+        EXPECT_NEAR(body.velocity.x, 5, 1e-6) << rate;
+        EXPECT_NEAR(body.spin.y, 10, 1e-6) << rate;
+        // It slides until friction has taken two sevenths.
+        const double slows = 0.6 * 9.81, slides = 2 / slows;
+        EXPECT_NEAR(body.position.x + 100, 7 * slides - slows * slides * slides / 2 + 5 * (5 - slides), 0.005) << rate;
+    }
+}
+
+TEST(Motion, ABoxSlidesTheSameInStepsOfAnyLength) {
+    const World world = ground();
+    for (const double slope : {0.5, 0.7})
+        for (const int rate : kRates) {
+            Bodies bodies;
+            const BodyId id = add_body(bodies, body_here(box_body({0.5, 0.5, 0.1}), {0, 0, 0.1}));
+            StepOptions options = never_asleep();
+            const double cosine = 1 / std::sqrt(1 + slope * slope);
+            options.gravity = {9.81 * slope * cosine, 0, -9.81 * cosine};
+            for (int k = 0; k < 5 * rate; ++k) step(bodies, world, 1.0 / rate, options);
+            const double speeds_up = std::max(slope - 0.6, 0.0) * 9.81 * cosine;
+            const bool stays = slope < 0.6;
+            EXPECT_NEAR(bodies.find(id)->velocity.x, speeds_up * 5, stays ? 1e-9 : 0.001) << rate;
+            EXPECT_NEAR(bodies.find(id)->position.x, speeds_up * 25 / 2, stays ? 1e-4 : 0.015) << rate;
+        }
+}
+
+TEST(Motion, ABoxThatTumblesLiesFlatInStepsOfAnyLength) {
+    const World world = ground();
+    for (const int rate : kRates) {
         Bodies bodies;
         const BodyId id = add_body(bodies, body_here(box_body({0.5, 0.3, 0.2}), {0, 0, 3}));
         bodies.find(id)->spin = {1, 2, 3};
-        for (double time = 0; time < 5; time += seconds) step(bodies, world, seconds);
+        for (int k = 0; k < 5 * rate; ++k) step(bodies, world, 1.0 / rate);
         const Body& body = *bodies.find(id);
-        EXPECT_TRUE(body.asleep) << seconds;
-        EXPECT_NEAR(body.position.z, 0.2, 0.11) << seconds;  // on one of its three pairs of sides
-        EXPECT_LT(length(body.position - Vec3{0, 0, 0.2}), 2) << seconds;
+        EXPECT_TRUE(body.asleep) << rate;
+        // On one of its three pairs of sides: as high as its half side along that axis, which is upright.
+        const TurnMatrix turn = matrix_of(body.rotation);
+        const Vec3 half{0.5, 0.3, 0.2};
+        int upright = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::fabs(turn.column(axis).z) < 0.999) continue;
+            ++upright;
+            EXPECT_NEAR(body.position.z, half[axis], 1e-4) << rate;
+        }
+        EXPECT_EQ(upright, 1) << rate;
     }
 }
 

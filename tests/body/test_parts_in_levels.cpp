@@ -3,6 +3,7 @@
 // crushed against walls with craters, never in the level.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -33,7 +34,7 @@ struct LevelRide {
     reference::BodyDepths depths{true};
     StepReport last{};
     int steps = 0;
-    std::size_t crushed = 0;
+    std::size_t crushed = 0, met = 0;  ///< met: contacts with the part, of all steps
 
     LevelRide(const World& world, const World& part) : level(world), parts{MovingPart(part)} {}
     /// Nothing of the level is entered, by crushed bodies neither.
@@ -41,6 +42,7 @@ struct LevelRide {
         parts[0].motion = motion(steps);
         last = step(bodies, Scene{level, parts}, kTick);
         crushed += last.crushed;
+        for (const BodyContact& contact : bodies.contacts) met += contact.part == 0;
         ASSERT_EQ(depths.fault(level, bodies), "") << "step " << steps;
         ++steps;
     }
@@ -131,8 +133,8 @@ TEST_P(PartsInLevels, APlatformTakesRubbleAlong) {
     EXPECT_GE(taken, 1u);
 }
 
-/// A wall across the place sweeps it from end to end and back, faster each time.
-TEST_P(PartsInLevels, ADoorThatPushesAndCrushesPutsNothingIntoTheLevel) {
+/// A wall across the place sweeps it from end to end and back, faster each time: 4 m in 120, 60, 40, ... steps.
+TEST_P(PartsInLevels, ADoorThatPushesPutsNothingIntoTheLevel) {
     const auto chunks = chunks_of_size(level().chunks, 0.1, 0.6);
     ASSERT_GE(chunks.size(), 2u);
     std::size_t pushed = 0, bodies = 0;
@@ -142,11 +144,13 @@ TEST_P(PartsInLevels, ADoorThatPushesAndCrushesPutsNothingIntoTheLevel) {
         LevelRide ride(level().world, box_world(half * -1.0, half));
         // 4 m there and 4 m back, beyond the place: through walls, too.
         const Vec3 from = place.at - place.along * 2 + Vec3{0, 0, 0.875};
-        ride.motion = [&](int step) {
-            const int rounds = step / 120, within = step % 120;
-            const bool back = rounds % 2;
-            return goes_straight(back ? from + place.along * 4 : from, place.along * (back ? -2.0 : 2.0), within);
-        };
+        std::vector<RigidMotion> motions;
+        for (int round = 0; round < 6; ++round)
+            for (int steps = 120 / (round + 1), step = 0; step < steps; ++step) {
+                const double speed = (round % 2 ? -4 : 4) / (steps * kTick);
+                motions.push_back(goes_straight(round % 2 ? from + place.along * 4 : from, place.along * speed, step));
+            }
+        ride.motion = [&](int step) { return motions[std::size_t(step)]; };
         for (std::size_t k = 0; k < 6; ++k) {
             const Vec3 at = place.at + place.along * (0.3 * double(k) - 0.75) + Vec3{0, 0, 0.6 + 0.12 * double(k)};
             if (const Result<Body> made = chunk_over(*chunks[chunks.size() - 1 - k % chunks.size()], 24, at, k))
@@ -154,7 +158,7 @@ TEST_P(PartsInLevels, ADoorThatPushesAndCrushesPutsNothingIntoTheLevel) {
         }
         std::vector<Vec3> before;
         for (const Body& body : ride.bodies.slots) before.push_back(body.position);
-        for (int k = 0; k < 480; ++k) {
+        for (std::size_t k = 0; k < motions.size(); ++k) {
             ride.tick();
             if (HasFatalFailure()) return;
         }
@@ -163,6 +167,44 @@ TEST_P(PartsInLevels, ADoorThatPushesAndCrushesPutsNothingIntoTheLevel) {
     }
     EXPECT_GE(bodies, 4u);
     EXPECT_GE(pushed, 1u);
+}
+
+/// Rubble falls to the floor; a slab comes down on it to 2 cm above the floor, stays for a second, and goes up again.
+TEST_P(PartsInLevels, APressThatCrushesPutsNothingIntoTheLevel) {
+    const auto chunks = chunks_of_size(level().chunks, 0.1, 0.6);
+    ASSERT_GE(chunks.size(), 2u);
+    std::size_t pressed = 0, crushed = 0;
+    for (const FloorPlace& place : places(1, 1, 2.4)) {
+        LevelRide ride(level().world, box_world({-0.875, -0.875, 0}, {0.875, 0.875, 0.125}));
+        constexpr double kHigh = 2.2, kLow = 0.02;  // metres above the floor
+        const auto height = [&](int step) {
+            const double down = std::clamp((step - 120) * kTick, 0.0, 1.0), up = std::clamp(step / 60.0 - 4, 0.0, 1.0);
+            return kHigh - (kHigh - kLow) * (down - up);
+        };
+        ride.motion = [&](int step) {
+            RigidMotion motion;
+            motion.position = place.at + Vec3{0, 0, height(step)};
+            motion.path = {0, 0, height(step + 1) - height(step)};
+            return motion;
+        };
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec3 at = place.at + Vec3{k % 2 ? 0.3 : -0.3, k / 2 ? 0.3 : -0.3, 0.9};
+            if (const Result<Body> made = chunk_over(*chunks[chunks.size() - 1 - k % chunks.size()], 24, at, k))
+                add_body(ride.bodies, made.value());
+        }
+        pressed += ride.bodies.slots.size();
+        for (int k = 0; k < 360; ++k) {
+            ride.tick();
+            if (HasFatalFailure()) return;
+        }
+        crushed += ride.crushed;
+        // The slab is up again: nothing is crushed any more, or in it.
+        EXPECT_EQ(ride.last.crushed, 0u);
+        EXPECT_EQ(ride.last.stuck, 0u);
+        EXPECT_LT(ride.deepest_in_part(), kDeepest);
+    }
+    EXPECT_GE(pressed, 2u);
+    EXPECT_GE(crushed, pressed * 15);
 }
 
 TEST_P(PartsInLevels, ABladeAmongRubbleIsNotEntered) {
@@ -190,6 +232,7 @@ TEST_P(PartsInLevels, ABladeAmongRubbleIsNotEntered) {
         if (HasFatalFailure()) return;
         ASSERT_LT(ride.deepest_in_part(), kDeepest + 1e-4) << k;
     }
+    EXPECT_GE(ride.met, 10u);
 }
 
 }  // namespace

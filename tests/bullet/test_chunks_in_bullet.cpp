@@ -9,7 +9,7 @@
 namespace firma {
 namespace {
 
-/// Metres: as deep as a corner may lie in the level. Bullet lets bodies sink in by some millimetres.
+/// Metres: as deep as a corner may lie in the level. Bullet lets bodies sink in, how far nothing promises.
 constexpr double kDeepest = 0.05;
 
 void judge_rest(const test::Rubble& rubble, const ConvexOptions& options) {

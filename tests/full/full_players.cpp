@@ -35,16 +35,15 @@ int main(int count, char** words) {
     const std::size_t shape = options.seed / 3 % 3;
     const reference::PlayerVerdict verdict = reference::judge_player(world.value(), test::player_shapes()[shape], run);
     if (!verdict.fault.empty()) std::printf("failure level=%s %s\n", level.c_str(), verdict.fault.c_str());
-    const double nearest = verdict.missed.empty() ? 0 : *std::min_element(verdict.missed.begin(), verdict.missed.end());
     const bool pass = verdict.fault.empty() && verdict.tried > options.count / 1000;
     std::printf(
         "claim=player_walks family=total count=%llu seed=%llu level=%s shape=%s rate=%g cuts=%zu fills=%zu undone=%zu "
         "doors=%zu jumps=%zu steps=%zu landings=%zu pushed=%zu ridden=%zu shoved=%zu crushed=%zu stuck=%zu missed=%zu "
-        "nearest_missed=%.2f tried=%zu metres=%.0f us_a_move=%.2f "
+        "tried=%zu metres=%.0f us_a_move=%.2f "
         "result=%s\n",
         ull(verdict.frames), ull(options.seed), level.c_str(), test::kPlayerShapeNames[shape], run.rate, verdict.cuts,
         verdict.fills, verdict.undone, verdict.doors, verdict.jumps, verdict.steps, verdict.landings, verdict.pushed,
-        verdict.ridden, verdict.shoved, verdict.crushed, verdict.stuck, verdict.missed.size(), nearest, verdict.tried,
+        verdict.ridden, verdict.shoved, verdict.crushed, verdict.stuck, verdict.missed, verdict.tried,
         verdict.travelled, verdict.seconds * 1e6 / double(std::max<std::uint64_t>(verdict.frames, 1)),
         pass ? "pass" : "fail");
     return pass ? EXIT_SUCCESS : EXIT_FAILURE;

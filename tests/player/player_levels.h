@@ -13,9 +13,12 @@
 #include "firma/turn.h"
 #include "tests/body/level_floors.h"
 #include "tests/carve/cutters.h"
+#include "tests/player/level_features.h"
 #include "tests/player/player_walk.h"
 
 namespace firma::test {
+
+inline constexpr double kDegree = 3.14159265358979 / 180;
 
 /// Metres of flat floor with air over it: along and across from its middle, and up.
 struct Room {
@@ -142,8 +145,14 @@ protected:
     }
     int level() const { return std::get<0>(GetParam()); }
     const World& world() const { return blasted_level(kBlastedLevels[level()]).world; }
+    bool is_box() const { return std::get<1>(GetParam()) == 1; }
     PlayerShape shape() const { return player_shapes()[std::size_t(std::get<1>(GetParam()))]; }
 
+    static bool is_inside(const World& now, const Vec3& feet) {
+        const Location at = locate(now, feet + Vec3{0, 0, 0.9});
+        return at.where == Where::kAir && !reference::rooms_outside(now)[at.room.value];
+    }
+    static bool is_inside(const World& now, const Walk& walk) { return is_inside(now, walk.at()); }
     /// For each of at most so many places, one at least; those with the most seams first.
     template <class Judge>
     void at_places(const Room& room, std::size_t count, const Judge& judge) const {
@@ -165,11 +174,21 @@ protected:
             judge(place);
         }
     }
+    /// Of at most so many that are found, one at least.
+    template <class Judge>
+    void at_features(FeatureKind kind, std::size_t count, const Judge& judge) const {
+        const std::vector<Feature>& found = features(kind);
+        ASSERT_GE(found.size(), 1u);
+        for (std::size_t k = 0; k < std::min(count, found.size()); ++k) {
+            SCOPED_TRACE("at " + where(found[k].at) + ", " + std::to_string(found[k].size));
+            judge(found[k]);
+        }
+    }
     /// A player who stands there, and comes to the speed that it wishes at once.
-    Walk stands(const World& world, const Vec3& feet) const {
+    Walk stands(const World& world, const Vec3& feet, int ticks = 10) const {
         Walk walk(world, shape(), feet + Vec3{0, 0, 0.002});
         walk.rules.ground_acceleration = 1e6;
-        walk.wait(10);
+        walk.wait(ticks);
         walk.airborne = 0;
         EXPECT_TRUE(walk.player.on_ground);
         return walk;
@@ -186,6 +205,12 @@ private:
         static std::map<std::pair<int, bool>, std::vector<WallPlace>> all;
         const auto [found, is_new] = all.try_emplace({level(), corners});
         if (is_new) found->second = WallSearch(world()).find(3, corners);
+        return found->second;
+    }
+    const std::vector<Feature>& features(FeatureKind kind) const {
+        static std::map<std::pair<int, FeatureKind>, std::vector<Feature>> all;
+        const auto [found, is_new] = all.try_emplace({level(), kind});
+        if (is_new) found->second = FeatureSearch(world()).find(kind);
         return found->second;
     }
     static std::string where(const Vec3& at) {

@@ -3,8 +3,8 @@
 // each situation at places that are found there, with a capsule, a box and spheres.
 #include <cmath>
 
-#include "firma/part_path.h"
 #include "tests/moving/part_worlds.h"
+#include "tests/player/path_ride.h"
 #include "tests/player/player_levels.h"
 
 namespace firma::test {
@@ -12,10 +12,6 @@ namespace {
 
 class PlayerLevelChanges : public InPlayerLevels {
 protected:
-    bool is_inside(const World& now, const Walk& walk) const {
-        const Location at = locate(now, walk.at() + Vec3{0, 0, 0.9});
-        return at.where == Where::kAir && !reference::rooms_outside(now)[at.room.value];
-    }
     /// A pit with upright sides; the world before where it would open a way out of the level.
     World pit(const FloorPlace& place, double half, double deep) const {
         const World cut =
@@ -202,32 +198,6 @@ TEST_P(PlayerLevelChanges, DeepInTheLevelItIsStuckOnlyWhereNothingNearIsFree) {
     }
     EXPECT_LT(stuck, begun / 10);
 }
-
-/// A player and one part by its path, judged in each tick.
-struct PathRide {
-    const World& level;
-    PlayerShape shape;
-    PartPath path;
-    std::vector<MovingPart> parts;
-    Player player{};
-    PlayerMove last{};
-    int ticks = 0, airborne = 0, pushed = 0, crushed = 0;
-
-    void tick(const PlayerWish& wish = {}) {
-        parts[0].motion = part_motion(path, ticks * kTick, (ticks + 1) * kTick);
-        last = move_player(Scene{level, parts}, shape, player, wish, kTick);
-        player = last.player;
-        ++ticks;
-        EXPECT_TRUE(last.valid);
-        airborne += !player.on_ground;
-        pushed += last.pushed_by == 0;
-        crushed += last.crushed_by == 0;
-        EXPECT_TRUE(player_fits(level, shape, player.position)) << "in the level, tick " << ticks;
-        if (last.crushed_by != kNoPart) return;
-        EXPECT_TRUE(player_fits(Scene{level, parts, 1, 1}, shape, player.position)) << "in the part, tick " << ticks;
-    }
-    Vec3 part_at() const { return pose_at(parts[0].motion, 1).position; }
-};
 
 TEST_P(PlayerLevelChanges, ALiftTakesItUpAndDown) {
     at_places(kSquare, 3, [&](const FloorPlace& place) {

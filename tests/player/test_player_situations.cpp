@@ -8,8 +8,6 @@
 namespace firma::test {
 namespace {
 
-constexpr double kDegree = 3.14159265358979 / 180;
-
 class PlayerSituations : public InPlayerLevels {};
 INSTANTIATE_TEST_SUITE_P(, PlayerSituations, testing::Combine(testing::Range(0, 3), testing::Range(0, 3)),
                          name_of_player_level);

@@ -4,12 +4,13 @@
 
 #include <cmath>
 #include <ctime>
+#include <utility>
 
-#include "player/player_shape.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/reference/changing_level.h"
 #include "tests/reference/parts_near.h"
+#include "tests/reference/player_overlap.h"
 
 namespace firma::reference {
 namespace {
@@ -109,7 +110,7 @@ private:
         if (player_.stuck) {
             verdict_.stuck += !before.stuck;
             if (!(player_.position == before.position)) fail("stuck and moved");
-            if (!before.stuck) look_for_free_places(scene);
+            if (!before.stuck || before.world_hash != player_.world_hash) look_for_free_places(scene);
             return;
         }
         crushed_ = moved.crushed_by != kNoPart;
@@ -117,7 +118,10 @@ private:
         verdict_.shoved += moved.pushed_by != kNoPart;
         verdict_.crushed += crushed_;
         if (!is_inside(player_.position)) return fail("out of the level, or in solid");
-        if (const std::string what = overlapped(); !what.empty()) return fail("overlaps " + what);
+        // Parts too, but where they crush it.
+        const Scene around = crushed_ ? Scene{world()} : now();
+        if (const std::string what = player_overlap(around, shape_, player_.position, player_.crouched); !what.empty())
+            return fail("overlaps " + what);
         const Vec3 way = player_.position - before.position - moved.pushed - moved.carried;
         const double far = std::hypot(way.x, way.y);
         verdict_.travelled += far;
@@ -148,8 +152,13 @@ private:
     /// The parts standing where they have come to.
     Scene now() const { return {world(), parts_.standing()}; }
 
-    /// Whether a stuck one has room: the nearest of places all around it, as far as it may be moved, that is free.
+    /// A stuck one has no room: not where it is, nor at any of the places all around it, as far as it may be moved.
     void look_for_free_places(const Scene& scene) {
+        const auto is_free = [&](const Vec3& place) {
+            return is_inside(place) && player_fits(scene, shape_, place, player_.crouched) &&
+                   player_fits(now(), shape_, place, player_.crouched);
+        };
+        if (is_free(player_.position)) fail("stuck where it fits");
         constexpr double kGolden = 2.399963229728653;  // radians
         for (int ring = 1; ring <= kRings; ++ring)
             for (int k = 0; k < kOnRing; ++k) {
@@ -157,79 +166,47 @@ private:
                 const SineCosine turn = sine_cosine(kGolden * k);
                 const Vec3 way = Vec3{turn.cosine, turn.sine, 0} * std::sqrt(1 - z * z) + Vec3{0, 0, z};
                 const double far = rules_.max_push * ring / kRings;
-                const Vec3 place = player_.position + way * far;
-                if (is_inside(place) && player_fits(scene, shape_, place, player_.crouched))
-                    return verdict_.missed.push_back(far);
+                if (!is_free(player_.position + way * far)) continue;
+                ++verdict_.missed;
+                return fail("stuck, and " + std::to_string(far) + " m away a place is free");
             }
     }
 
-    /// Deeper than rounding, in front of it; of parts too, but where they crush it. What is castable only is left by
-    /// the way it was come upon: from behind.
-    std::string overlapped() const {
-        constexpr double kRounding = 1e-9;  // metres
-        const Posture& posture = shape_.data().postures[player_.crouched];
-        const Vec3 feet = player_.position, middle = feet + posture.middle;
-        std::string what;
-        const auto look = [&](const PartOverlap& overlap) {
-            if (overlap.part != kNoPart) {
-                if (!crushed_ && overlap.depth > kRounding)
-                    what =
-                        "part " + std::to_string(overlap.part) + " by " + std::to_string(overlap.depth * 1e6) + " um";
-                return true;
-            }
-            const std::optional<FaceInfo> face = world().face_info(overlap.face);
-            const bool in_front = !face || dot(middle - overlap.point, face->normal) > 0;
-            if ((!face || face->solid) && in_front && overlap.depth > kRounding)
-                what = "the level by " + std::to_string(overlap.depth * 1e6) + " um";
-            return true;
-        };
-        const Capsule& capsule = posture.capsule;
-        switch (shape_.data().kind) {
-            case PlayerShapeData::Kind::kCapsule:
-                overlap_each(now(), Capsule{capsule.from + feet, capsule.to + feet, capsule.radius}, look);
-                break;
-            case PlayerShapeData::Kind::kBox:
-                overlap_each(now(), posture.box, middle, look);
-                break;
-            case PlayerShapeData::Kind::kSpheres:
-                for (const Sphere& sphere : posture.spheres)
-                    overlap_each(now(), Sphere{sphere.centre + feet, sphere.radius}, look);
-        }
-        return what;
-    }
-
-    /// Where a way is free for a bit, a second of walking leads there, or somewhere.
+    /// Of eight ways around: where one is free for a bit, a second of walking leads there, or somewhere. In the air
+    /// where it has hung at one place since the last time.
     void try_ways() {
-        if (!player_.on_ground || crushed_) return;
-        const Vec3 raised = player_.position + shape_.up() * (2 * world().tolerance().contact_offset);
-        Vec3 way = rng_.direction();
-        way.z = 0;
-        if (length(way) < 0.1) return;
-        way *= 1 / length(way);
-        Player walker = player_;
-        for (const Vec3& step : {way * kFreeWay}) {
-            walker.position = raised + step;
-            if (!player_fits(now(), shape_, walker.position, walker.crouched)) return;
-            if (cast_free(raised, step) < 1) return;
+        const Vec3 before = std::exchange(tried_at_, player_.position);
+        if (crushed_) return;
+        Vec3 way{1, 0, 0};
+        if (player_.on_ground) {
+            way = rng_.direction();
+            way.z = 0;
+            if (length(way) < 0.1) return;
+            way *= 1 / length(way);
+        } else if (length(player_.position - before) > kFreeWay * 0.5) {
+            return;
         }
+        const double half = std::sqrt(0.5);
+        for (int k = 0; k < 8; ++k) {
+            try_way(way);
+            way = Vec3{way.x - way.y, way.x + way.y, 0} * half;
+        }
+    }
+
+    void try_way(const Vec3& way) {
+        const Vec3 raised = player_.position + shape_.up() * (2 * world().tolerance().contact_offset);
+        for (int k = 1; k <= 16; ++k)
+            if (!player_fits(now(), shape_, raised + way * (kFreeWay * k / 16), player_.crouched)) return;
         ++verdict_.tried;
-        walker = player_;
-        double farthest = 0;
+        Player walker = player_;
         for (int k = 0; k < int(run_.rate); ++k) {
             PlayerWish wish;
             wish.velocity = way * 2;
             wish.crouch = player_.crouched;
             walker = move_player(now(), shape_, walker, wish, 1 / run_.rate, rules_).player;
-            farthest = std::max(farthest, length(walker.position - player_.position));
+            if (length(walker.position - player_.position) >= kFreeWay * 0.5) return;
         }
-        if (farthest < kFreeWay * 0.5)
-            fail("held, where " + std::to_string(way.x) + ' ' + std::to_string(way.y) + " is free");
-    }
-
-    double cast_free(const Vec3& feet, const Vec3& path) const {
-        for (int k = 1; k <= 16; ++k)
-            if (!player_fits(now(), shape_, feet + path * (k / 16.0), player_.crouched)) return 0;
-        return 1;
+        fail("held, where " + std::to_string(way.x) + ' ' + std::to_string(way.y) + " is free");
     }
 
     ChangingLevel level_;
@@ -241,6 +218,7 @@ private:
     PartsNear parts_;
     Player player_;
     PlayerWish wish_;
+    Vec3 tried_at_;         // where it was when ways were last tried
     bool crushed_ = false;  // by a part, in the last move
     PlayerVerdict verdict_;
 };

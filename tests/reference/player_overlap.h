@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What a player overlaps that it may not.
+#pragma once
+
+#include <string>
+
+#include "firma/players.h"
+
+namespace firma::reference {
+
+/// Deeper than rounding (1e-9 m): parts, and solid faces from in front. Sheets do not count: what moves along one
+/// passes its rim, and what came upon one from behind is in it for a while.
+/// @return "" where there is nothing
+std::string player_overlap(const Scene& scene, const PlayerShape& shape, const Vec3& feet, bool crouched);
+
+}  // namespace firma::reference
