@@ -161,7 +161,10 @@ FileServer::FileServer(const std::string& folder, int port) : state_(std::make_u
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server.new_task_queue = [] { return new ConnectionThreads(kMostConnections); };
-    server.set_keep_alive_timeout(1);  // seconds: also how long the end may take
+    // A browser that uses a connection just as its time is over shows an error in place of the page: so each serves one
+    // request, and one that was opened ahead of time has a while to make it.
+    server.set_keep_alive_max_count(1);
+    server.set_keep_alive_timeout(4);  // seconds: also how long the end may take
     server.set_read_timeout(5);
     server.set_payload_max_length(0);
     server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {

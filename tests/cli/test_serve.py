@@ -187,6 +187,17 @@ class Serve(CliTest):
             self.assertEqual(line.getresponse().read(), self.read('site/firma.wasm'))
             line.close()
 
+    def test_a_connection_serves_one_request_and_may_wait_for_it(self):
+        _, port = self.serve()
+        with socket.create_connection(('127.0.0.1', port), timeout=20) as line:
+            time.sleep(2)
+            line.sendall(b'GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n')
+            answer = b''
+            while part := line.recv(65536): answer += part
+        self.assertIn(b'200 OK', answer)
+        self.assertIn(b'Connection: close', answer)
+        self.assertTrue(answer.endswith(b'<p>hello</p>'))
+
     # Finding 11 (F11).
     def test_silent_connections_hold_up_nobody(self):
         _, port = self.serve()

@@ -19,8 +19,7 @@ protected:
         return level;
     }
     static World crater(const World& level, const Vec3& at, double size, std::uint64_t seed) {
-        const CarveResult made =
-            carve(level, make_crater(CutterShape::kRocky, seed), pose_at(at.x, at.y, at.z, size));
+        const CarveResult made = carve(level, make_crater(CutterShape::kRocky, seed), pose_at(at.x, at.y, at.z, size));
         return made.done() && !reference::opens_way_out(level, made.world) ? made.world : level;
     }
     /// A player who is not judged by sheets, which pits have cut rims into.
@@ -136,8 +135,8 @@ TEST_P(PlayerCraters, ShotAtUnderWayItFallsAndWalksOn) {
         std::size_t cuts = 0;
         for (int k = 0; k < 180; ++k) {
             if (k % 30 == 0) {
-                const World shot = crater(walk.world, walk.at() + place.along * 0.4 + Vec3{0, 0, 0.2}, 0.4,
-                                          std::uint64_t(k / 30 + 1));
+                const World shot =
+                    crater(walk.world, walk.at() + place.along * 0.4 + Vec3{0, 0, 0.2}, 0.4, std::uint64_t(k / 30 + 1));
                 cuts += hash_world(shot) != hash_world(walk.world);
                 walk.world = shot;
             }
