@@ -6,11 +6,13 @@
 
 #include "body/cover_error.h"
 #include "body/surface_points.h"
-#include "firma/carve.h"
+#include "firma/cutter.h"
 #include "firma/queries.h"
-#include "scenes/level_cuts.h"
+#include "firma/solid.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
+#include "tests/fracture/rubble.h"
+#include "tests/openarena_maps.h"
 #include "tests/random_vector.h"
 #include "tests/sample.h"
 
@@ -77,29 +79,37 @@ TEST(FitSpheres, AreInsideAndAsNearAsTheySay) {
 }
 
 // Their facets are bent by rounding; slivers among them look the other way.
-TEST(FitSpheres, AreInsideRubbleOfTheDepot) {
-    World world = with_anchors(test::depot_world());
-    const scenes::CutPlaces places = scenes::cut_places(world);
-    CarveOptions options;
-    options.chunks = ChunkOptions{};
-    int chunks = 0;
-    for (std::uint64_t index = 0; chunks < test::sample(100); ++index)
-        for (const scenes::CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts::kSpread, 7, index)) {
-            Pose pose = order.pose;
-            pose.scale *= 2;
-            const CarveResult cut = carve(world, order.cutter, pose, options);
-            world = cut.world;
-            for (const Chunk& chunk : cut.chunks) {
-                ++chunks;
-                const Result<SphereFit> fit = fit_spheres(chunk.solid, {.max_spheres = 12});
-                if (!fit) continue;
-                const World own = make_world(chunk.solid).value();
-                for (const Sphere& sphere : fit.value().spheres) {
-                    EXPECT_EQ(locate(chunk.solid, sphere.centre), Where::kSolid) << chunks;
-                    EXPECT_GE(closest(own, sphere.centre).distance, sphere.radius) << chunks;
-                }
-            }
+void judge_rubble(const test::Rubble& rubble) {
+    std::size_t spheres = 0;
+    for (std::size_t k = 0; k < rubble.chunks.size(); ++k) {
+        const Solid& solid = rubble.chunks[k].solid;
+        const Result<SphereFit> fit = fit_spheres(solid, {.max_spheres = 12});
+        if (!fit) continue;
+        const World own = make_world(solid).value();
+        for (const Sphere& sphere : fit.value().spheres) {
+            EXPECT_EQ(locate(solid, sphere.centre), Where::kSolid) << k;
+            EXPECT_GE(closest(own, sphere.centre).distance, sphere.radius) << k;
         }
+        spheres += fit.value().spheres.size();
+    }
+    EXPECT_GT(spheres, rubble.chunks.size() * 6);
+}
+
+TEST(FitSpheres, AreInsideRubbleOfTheDepot) {
+    judge_rubble(test::rubble_of(test::depot_world(), std::size_t(test::sample(100)), 0));
+}
+
+TEST(FitSpheres, AreInsideRubbleOfAMap) {
+    if (openarena_maps().empty()) GTEST_SKIP() << kNoOpenArena;
+    const test::Rubble rubble = test::rubble_of(test::openarena_world("kaos2"), std::size_t(test::sample(15)), 0.02);
+    ASSERT_GE(rubble.chunks.size(), std::size_t(test::sample(15)));
+    judge_rubble(rubble);
+    // The error is proven as well.
+    for (std::size_t k = 0; k < rubble.chunks.size(); k += 5) {
+        const Result<SphereFit> fit = fit_spheres(rubble.chunks[k].solid, {.max_error = 1e-3, .max_spheres = 32});
+        ASSERT_TRUE(fit.ok()) << fit.error().text();
+        judge(rubble.chunks[k].solid, fit.value());
+    }
 }
 
 TEST(FitSpheres, StopWhereTheErrorIsReached) {

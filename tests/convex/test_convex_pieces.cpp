@@ -138,9 +138,7 @@ TEST(ConvexPieces, OfRandomRubble) {
     RecordProperty("pairs that no plane of the solid parts", int(judgement.by_cut));
 }
 
-TEST(ConvexPieces, OfRubbleOfTheDepot) {
-    const test::Rubble rubble = test::rubble_of(test::depot_world(), std::size_t(test::sample(15)), 0.02);
-    ASSERT_GE(rubble.chunks.size(), std::size_t(test::sample(15)));
+void expect_rubble_in_pieces(const test::Rubble& rubble) {
     ConvexJudgement judgement;
     std::size_t done = 0;
     for (const Chunk& chunk : rubble.chunks) {
@@ -150,6 +148,19 @@ TEST(ConvexPieces, OfRubbleOfTheDepot) {
         if (done++ % 5 == 0) test::expect_union(chunk.solid, result.value());
     }
     EXPECT_GT(judgement.inside, done * 5);
+}
+
+TEST(ConvexPieces, OfRubbleOfTheDepot) {
+    const test::Rubble rubble = test::rubble_of(test::depot_world(), std::size_t(test::sample(15)), 0.02);
+    ASSERT_GE(rubble.chunks.size(), std::size_t(test::sample(15)));
+    expect_rubble_in_pieces(rubble);
+}
+
+TEST(ConvexPieces, OfRubbleOfAMap) {
+    if (openarena_maps().empty()) GTEST_SKIP() << kNoOpenArena;
+    const test::Rubble rubble = test::rubble_of(test::openarena_world("kaos2"), std::size_t(test::sample(15)), 0.02);
+    ASSERT_GE(rubble.chunks.size(), std::size_t(test::sample(15)));
+    expect_rubble_in_pieces(rubble);
 }
 
 /// No point of the hulls far from the pieces: by points all over each hull, against the whole.
