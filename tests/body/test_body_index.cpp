@@ -106,7 +106,7 @@ TEST(BodyIndex, TheFirstOfAllAsEachByItself) {
             }
         }
     }
-    EXPECT_GT(hits, test::sample(300));
+    EXPECT_GT(hits, test::sample(200));
     EXPECT_GT(misses, test::sample(300));
     EXPECT_GT(overlaps, test::sample(10));
 }
