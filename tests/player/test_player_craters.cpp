@@ -306,36 +306,11 @@ TEST_P(PlayerCraters, UnderTheSlabThatALowHoleLeavesItGoesCrouchedAlone) {
         EXPECT_TRUE(walk.player.crouched);  // it cannot stand up there
         walk.with({.jump = true}, 30);
         EXPECT_TRUE(walk.player.crouched);
-        EXPECT_LT(walk.at().z, wall.foot.z + 0.15);
+        EXPECT_LT(walk.at().z, wall.foot.z + 1.25 - walk.shape.height(true) + 0.001);
         walk.wait(30);
         walk.go(wall.normal * 2.0, 75);
         EXPECT_FALSE(walk.player.crouched);
         EXPECT_GT(dot(walk.at() - wall.foot, wall.normal), 0.3);
-        ++entered;
-    });
-    EXPECT_GE(entered, 1u);
-}
-
-TEST_P(PlayerCraters, IntoWhatARocketTearsOutOfAWallAndOut) {
-    std::size_t entered = 0;
-    at_walls(false, [&](const WallPlace& wall) {
-        World hole = world();
-        for (const double up : {0.8, 1.2})
-            for (const double in : {0.1, 0.5})
-                hole = crater(hole, wall.foot - wall.normal * in + Vec3{0, 0, up}, 0.95, std::uint64_t(up * 10 + in));
-        if (hash_world(hole) == hash_world(world())) return;
-        Walk walk(hole, shape(), wall.foot + wall.normal * 1.2 + Vec3{0, 0, 0.05});
-        walk.passes_sheets = true;
-        if (!player_fits(hole, shape(), walk.at())) return;
-        walk.go(wall.normal * -2.0, 90);
-        EXPECT_LT(dot(walk.at() - wall.foot, wall.normal), 0.2);  // farther than the wall let it
-        EXPECT_TRUE(is_inside(hole, walk));
-        for (int k = 0; k < 3; ++k) {
-            walk.go(wall.normal * -2.0 + wall.along * (k - 1.0), 20);
-            EXPECT_TRUE(is_inside(hole, walk)) << k;
-        }
-        walk.with({.velocity = wall.normal * 2.0, .jump = true}, 120);
-        EXPECT_GT(dot(walk.at() - wall.foot, wall.normal), 0.5);
         ++entered;
     });
     EXPECT_GE(entered, 1u);
