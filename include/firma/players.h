@@ -143,7 +143,8 @@ struct PlayerMove {
 /// (one plane, two, or three; the solution is that of the linear problem, without a nudge away from walls). It keeps
 /// the contact offset from all, but from what it comes upon at less than 3.6 degrees and slower than the offset a tick:
 /// that it backs off from once it is nearer than half of it. A face too steep to walk on lifts nobody, but to ground
-/// that is within a step above and near. No sweep is ever shortened, so it passes no wall at any speed.
+/// that is within a step above and near; between several it stands where the groove of these is not too steep. No sweep
+/// is ever shortened, so it passes no wall at any speed.
 ///
 /// Where another world is given than last time, it is looked whether something came where the player is. If so it is
 /// moved out: the shortest way that overlaps lead to, else to the nearest of places around it that are free; none in

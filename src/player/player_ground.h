@@ -22,6 +22,8 @@ public:
     /// and the middle is not too far beyond it, or something to stand on is below it.
     Ground under(const PartHit& hit, const Vec3& feet) const;
     bool walkable(const Vec3& normal) const { return dot(normal, shape_.up) >= least_up_; }
+    /// Of a fall of one, how much of it is left where it goes along a line as steep as what is walkable.
+    double walkable_fall() const { return 1 - least_up_ * least_up_; }
 
 private:
     Vec3 flattest_at(const PartHit& hit) const;

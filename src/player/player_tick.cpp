@@ -223,7 +223,7 @@ void PlayerTick::settle(double far) {
     std::uint32_t part = kNoPart;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = below.nearest(up_ * (-kSettling * offset_));
-        if (-dot(path, up_) < kSettling * offset_ * kHeld) return stand_on(up_, part);
+        if (-dot(path, up_) < kSettling * offset_ * held_fall()) return stand_on(up_, part);
         const PartHit met = posture_.sweep(at, path);
         if (!met.touched()) return leave_ground();
         part = met.part;
@@ -247,8 +247,13 @@ void PlayerTick::keep_offset(const Hit& hit, double far) {
         player_.position += up_ * (missing * posture_.sweep(player_.position, up_ * missing).safe_fraction);
 }
 
+// Between steep faces whose groove is no steeper than what it walks on it stands.
+double PlayerTick::held_fall() const {
+    return std::max(kHeld, ground_rules_.walkable_fall());
+}
+
 bool PlayerTick::is_held() const {
-    return length(state_.touched.nearest(-up_)) < kHeld;
+    return -dot(state_.touched.nearest(-up_), up_) < held_fall();
 }
 
 // Speed on the ground is that over what it stands on.

@@ -58,6 +58,7 @@ private:
     void note(const PartHit& hit, const Ground& ground);
     void stand_on(const Vec3& normal, std::uint32_t part);
     void leave_ground();
+    double held_fall() const;
     bool is_held() const;
     Vec3 speed_of(std::uint32_t part) const;  ///< of a part at the feet, metres a second; zero of the level
     bool ground_within(const Vec3& feet, double far) const;

@@ -135,6 +135,38 @@ TEST_P(PlayerJumps, HeldBetweenSteepSlopesItStandsAndCanJump) {
     EXPECT_GT(walk.at().z, at.z + 0.3);
 }
 
+TEST_P(PlayerJumps, InAGrooveOfSteepSlopesItStandsWhereThatIsNotSteep) {
+    // Along y, its sides at 60 degrees; it rises by so much a metre.
+    for (const double rise : {0.075, 0.5, 1.5}) {
+        std::string groove;
+        for (const double side : {-1.0, 1.0}) {
+            const Vec3 out{-side * std::sqrt(3.0), -rise, 1};
+            groove += map_text::plane_brush({{out * (1 / length(out)), 0},
+                                             {{side, 0, 0}, 3},
+                                             {{-side, 0, 0}, 0},
+                                             {{0, 1, 0}, 6},
+                                             {{0, -1, 0}, 6},
+                                             {{0, 0, -1}, 12}},
+                                            "rock");
+        }
+        Walk walk = this->walk(course(groove), {0.1, 2, 2 * rise + 1.5});
+        walk.wait(180);
+        EXPECT_TRUE(walk.player.on_ground) << rise;
+        if (rise > 1) {
+            EXPECT_LT(walk.at().z, 0.1) << "slid down to the floor";
+            continue;
+        }
+        const Vec3 at = walk.at();
+        EXPECT_GT(at.z, rise * 1.5);
+        walk.wait(60);
+        EXPECT_LT(length(walk.at() - at), 1e-6) << rise;
+        walk.go({0, -2, 0}, 30);
+        EXPECT_LT(walk.at().y, at.y - 0.7) << rise;
+        walk.wait(30);
+        EXPECT_TRUE(walk.move({.jump = true}).jumped) << rise;
+    }
+}
+
 TEST_P(PlayerJumps, CrouchesUnderALowBeamAndCannotStandThere) {
     Walk walk = this->walk(course(map_text::box({1, -8, 1.25}, {3, 8, 3}, "rock")), {0, 0, kOffset});
     walk.go({2, 0, 0}, 60);
