@@ -275,6 +275,27 @@ TEST_P(PlayerWorlds, LevelIntoTheRimOfASheetItGoesOn) {
     EXPECT_FALSE(player_fits(world, shape, player.position));
 }
 
+// docs/players.md: through one-sided faces from behind; half through it meets edges of those that its way leads into.
+TEST_P(PlayerWorlds, ThroughASheetFromBehindItGoesOn) {
+    Level level = empty_level();
+    add_polygon(level, {{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}});
+    for (const double side : {-1, 0}) {  // folded along x = 1, y = 0; its front is toward +x
+        const Vec3 from{side < 0 ? 1.4 : 1, side * 4, 0}, to{side < 0 ? 1 : 1.4, side * 4 + 4, 0}, up{0, 0, 3};
+        add_polygon(level, {from, to, to + up, from + up});
+    }
+    Walk walk = this->walk(make_world(level).value(), {0.3, -1, kOffset});
+    walk.passes_sheets = true;
+    while (walk.at().x < 0.85) walk.go({2, 0, 0}, 1);
+    walk.player.velocity = {};
+    walk.go({0, 2, 0}, 60);
+    const bool is_box = GetParam() == 1;
+    EXPECT_NEAR(walk.at().y, is_box ? -0.3 : 0.9, 0.2);  // a box is held by the fold, what is round goes around it
+    walk.go({2, 0, 0}, 60);
+    EXPECT_GT(walk.at().x, 2);
+    walk.go({-2, 0, 0}, 120);
+    EXPECT_GT(walk.at().x, 1.3);
+}
+
 TEST_P(PlayerWorlds, AtAnySpeedItPassesNoWall) {
     const World room = make_world(box_level({-4, -4, 0}, {4, 4, 4}, true)).value();
     scenes::Rng rng(3);

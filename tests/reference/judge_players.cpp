@@ -9,16 +9,20 @@
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/reference/changing_level.h"
+#include "tests/reference/grown_player.h"
 #include "tests/reference/parts_near.h"
 #include "tests/reference/player_overlap.h"
 
 namespace firma::reference {
 namespace {
 
-constexpr double kEveryEvent = 2;      // seconds between changes of the world, about
-constexpr double kEveryLife = 30;      // seconds after which the player begins elsewhere, about
-constexpr double kEveryParts = 5;      // seconds after which the lift and the leaf are hung up anew, about
-constexpr double kFreeWay = 0.1;       // metres
+constexpr double kEveryEvent = 2;  // seconds between changes of the world, about
+constexpr double kEveryLife = 30;  // seconds after which the player begins elsewhere, about
+constexpr double kEveryParts = 5;  // seconds after which the lift and the leaf are hung up anew, about
+constexpr double kFreeWay = 0.1;   // metres
+// In contact offsets: so wide are ways that are free, for a player raised by so much: from ground that keeps the offset
+// it is 0.2 away, and from what leans by more than 45 degrees and keeps it the raise leads away by less than 0.5.
+constexpr double kMargin = 1.5, kRaise = 0.7;
 constexpr double kMostPushed = 0.012;  // metres: eight slides that back off by the contact offset each, and four more
 constexpr double kFastest = 10;        // metres a second that are wished
 constexpr int kRings = 10, kOnRing = 50;  // places that are tried where a player is stuck
@@ -26,7 +30,12 @@ constexpr int kRings = 10, kOnRing = 50;  // places that are tried where a playe
 class PlayerGame {
 public:
     PlayerGame(const World& level, const PlayerShape& shape, const PlayerRun& run)
-        : level_(level), shape_(shape), run_(run), rng_(run.seed) {
+        : level_(level),
+          shape_(shape),
+          run_(run),
+          offset_(level.tolerance().contact_offset),
+          wide_(grown_player(shape, kMargin * offset_)),
+          rng_(run.seed) {
         walls_ = scenes::cut_places(level).inside;
     }
 
@@ -172,8 +181,8 @@ private:
             }
     }
 
-    /// Of eight ways around: where one is free for a bit, a second of walking leads there, or somewhere. In the air
-    /// where it has hung at one place since the last time.
+    /// Of eight ways around: where one is free for a bit, with room for the contact offset on all sides, a second of
+    /// walking leads there, or somewhere. In the air where it has hung at one place since the last time.
     void try_ways() {
         const Vec3 before = std::exchange(tried_at_, player_.position);
         if (crushed_) return;
@@ -194,9 +203,10 @@ private:
     }
 
     void try_way(const Vec3& way) {
-        const Vec3 raised = player_.position + shape_.up() * (2 * world().tolerance().contact_offset);
+        if (is_held_by_sheet(now(), shape_, player_.position, player_.crouched, way)) return;
+        const Vec3 low = player_.position - shape_.up() * ((kMargin - kRaise) * offset_);
         for (int k = 1; k <= 16; ++k)
-            if (!player_fits(now(), shape_, raised + way * (kFreeWay * k / 16), player_.crouched)) return;
+            if (!player_fits(now(), wide_, low + way * (kFreeWay * k / 16), player_.crouched)) return;
         ++verdict_.tried;
         Player walker = player_;
         for (int k = 0; k < int(run_.rate); ++k) {
@@ -212,6 +222,8 @@ private:
     ChangingLevel level_;
     const PlayerShape& shape_;
     const PlayerRun& run_;
+    const double offset_;
+    const PlayerShape wide_;
     const PlayerRules rules_;
     scenes::Rng rng_;
     Level walls_;

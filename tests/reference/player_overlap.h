@@ -13,4 +13,7 @@ namespace firma::reference {
 /// @return "" where there is nothing
 std::string player_overlap(const Scene& scene, const PlayerShape& shape, const Vec3& feet, bool crouched);
 
+/// Whether `way` leads into the front of a sheet that it overlaps, and so may be held by an edge of it.
+bool is_held_by_sheet(const Scene& scene, const PlayerShape& shape, const Vec3& feet, bool crouched, const Vec3& way);
+
 }  // namespace firma::reference
