@@ -2,38 +2,37 @@
 // A moving set of spheres against a level with parts that move meanwhile.
 #include <algorithm>
 
+#include "body/sphere_set_sweep.h"
 #include "firma/capsule.h"
 #include "firma/cast_set.h"
-#include "moving/arc.h"
 
 namespace firma {
 namespace {
 
-/// One sphere of a set in a scene.
-class SphereInScene {
+/// A set on its way in a scene. Times are fractions of the set's motion.
+class SetInScene {
 public:
-    SphereInScene(const Scene& scene, const CastOptions& options, const Arc& arc, double radius)
-        : scene_(scene), options_(options), arc_(arc), radius_(radius) {}
+    SetInScene(const Scene& scene, const CastOptions& options) : scene_(scene), options_(options) {
+        options_.trail = nullptr;
+        if (options.contact_offset < 0) options_.contact_offset = scene.world.tolerance().contact_offset;
+    }
 
-    /// The first touch between two times, in fractions of the whole motion.
-    PartHit between(double from, double to) const {
-        const double bulge = arc_.bulge(from, to);
-        const Vec3 start = arc_.at(from), path = arc_.at(to) - start;
-        const Scene meanwhile{scene_.world, scene_.parts, stretched(from), stretched(to)};
-        if (bulge > kMaxBulge) {
-            if (!comes_near(meanwhile, {start, radius_ + bulge}, path)) return {};
-            const double middle = (from + to) * 0.5;
-            const PartHit first = between(from, middle);
-            return first.status != Status::kMiss ? first : between(middle, to);
-        }
-        PartHit hit = cast(meanwhile, {start, radius_ + bulge}, path, options_);
+    PartHit on_arc(const Arc& arc, double radius, double before) const {
+        const auto may_meet = [&](double from, double to, const Sphere& sphere, const Vec3& path) {
+            return comes_near(meanwhile(from, to), sphere, path);
+        };
+        const auto cast_chord = [&](double from, double to, const Sphere& sphere, const Vec3& path) {
+            PartHit hit = cast(meanwhile(from, to), sphere, path, options_);
+            if (hit.touched() && to > from) hit.surface_velocity *= 1 / (to - from);
+            return hit;
+        };
+        PartHit hit = first_on_arc(arc, radius, 0, before, may_meet, cast_chord);
         if (!hit.touched()) return hit;
-        hit.fraction = from + hit.fraction * (to - from);
-        if (to > from) hit.surface_velocity *= 1 / (to - from);
-        hit.safe_fraction = before(hit);
-        hit.status = hit.fraction > 0 ? Status::kHit : Status::kInitialOverlap;
+        const double speed = -dot(arc.velocity_at(hit.fraction) - hit.surface_velocity, hit.normal);
+        hit.safe_fraction = fraction_before(hit.fraction, options_.contact_offset, speed);
         return hit;
     }
+    PartHit straight(const Sphere& sphere, const Vec3& path) const { return cast(scene_, sphere, path, options_); }
 
 private:
     /// Whether a ball that goes straight touches any face, from whichever side, or the ball around a part.
@@ -61,13 +60,8 @@ private:
         return length(apart + closing * t) <= reach * (1 + 0x1p-20);
     }
 
-    /// By the speed along the normal, of the sphere and of what it meets.
-    double before(const PartHit& hit) const {
-        const double offset =
-            options_.contact_offset < 0 ? scene_.world.tolerance().contact_offset : options_.contact_offset;
-        const double speed = -dot(arc_.velocity_at(hit.fraction) - hit.surface_velocity, hit.normal);
-        const double back = speed > 0 ? offset / speed : 1;
-        return back < hit.fraction ? hit.fraction - back : 0;
+    Scene meanwhile(double from, double to) const {
+        return {scene_.world, scene_.parts, stretched(from), stretched(to)};
     }
     double stretched(double t) const {
         if (t == 1) return scene_.to;
@@ -75,47 +69,20 @@ private:
     }
 
     const Scene& scene_;
-    const CastOptions& options_;
-    const Arc& arc_;
-    const double radius_;
+    CastOptions options_;
 };
-
-SetPartHit invalid_set_part_hit() {
-    SetPartHit hit;
-    hit.status = Status::kInvalid;
-    hit.fraction = hit.safe_fraction = 0;
-    return hit;
-}
-
-bool can_be_cast(std::span<const Sphere> spheres, const RigidMotion& motion) {
-    if (!is_usable(motion)) return false;
-    for (const Sphere& sphere : spheres)
-        if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !is_finite(sphere.radius)) return false;
-    return true;
-}
 
 }  // namespace
 
 SetPartHit cast(const Scene& scene, std::span<const Sphere> spheres, const RigidMotion& motion,
                 const CastOptions& options) {
-    if (!can_be_cast(spheres, motion)) return invalid_set_part_hit();
+    if (!can_be_cast(spheres, motion)) return invalid_hit<SetPartHit>();
+    const SetInScene set(scene, options);
     SetPartHit first;
     first.centre = motion.position + motion.path;
-    const TurnMatrix rotation = matrix_of(normalised(motion.rotation));
-    const TurnRate rate(motion.turn);
-    CastOptions each = options;
-    each.trail = nullptr;
-    for (std::uint32_t k = 0; k < spheres.size(); ++k) {
-        const Arc arc(motion.position, motion.path, rate, rotation * spheres[k].centre);
-        const bool turns = arc.bulge(0, 1) > 0;
-        const PartHit hit = turns ? SphereInScene(scene, each, arc, spheres[k].radius).between(0, first.fraction)
-                                  : cast(scene, {arc.at(0), spheres[k].radius}, motion.path, each);
-        if (hit.status == Status::kInvalid) return invalid_set_part_hit();
-        if (!hit.touched() || (first.touched() && !(hit.fraction < first.fraction))) continue;
-        static_cast<PartHit&>(first) = hit;
-        first.sphere = k;
-        if (first.fraction == 0) break;
-    }
+    first_of_set(spheres, motion, first, [&](const Arc& arc, double radius, double before) {
+        return arc.bulge(0, 1) > 0 ? set.on_arc(arc, radius, before) : set.straight({arc.at(0), radius}, motion.path);
+    });
     return first;
 }
 

@@ -13,6 +13,11 @@
 namespace firma {
 namespace {
 
+/// Radians that a body turns in one go. What turns farther at once may gain energy, ever more of it.
+constexpr double kMostTurn = 0.8;
+/// Of a step: what spins faster than they allow goes farther in each.
+constexpr int kMostGoes = 64;
+
 /// The momentum in the body's frame, and the turn of the frame so far.
 struct State {
     Vec3 momentum;
@@ -40,11 +45,16 @@ Spinning spin_freely(const Spinning& from, const Vec3& inertia, double seconds) 
     if (inertia.x == inertia.y && inertia.y == inertia.z)
         return {normalised(compose(turn_by(from.spin * seconds), from.rotation)), from.spin};
     State state{{own.x * inertia.x, own.y * inertia.y, own.z * inertia.z}, from.rotation, inertia};
-    state.turn(0, seconds * 0.5);
-    state.turn(1, seconds * 0.5);
-    state.turn(2, seconds);
-    state.turn(1, seconds * 0.5);
-    state.turn(0, seconds * 0.5);
+    const double angle = length(from.spin) * seconds;
+    const int goes = angle < kMostTurn * kMostGoes ? 1 + int(angle * (1 / kMostTurn)) : kMostGoes;
+    const double each = seconds / goes;
+    for (int k = 0; k < goes; ++k) {
+        state.turn(0, each * 0.5);
+        state.turn(1, each * 0.5);
+        state.turn(2, each);
+        state.turn(1, each * 0.5);
+        state.turn(0, each * 0.5);
+    }
     const Quaternion rotation = normalised(state.rotation);
     const Vec3 spin{state.momentum.x / inertia.x, state.momentum.y / inertia.y, state.momentum.z / inertia.z};
     return {rotation, matrix_of(rotation) * spin};

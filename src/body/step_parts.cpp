@@ -7,8 +7,7 @@
 
 #include "base/hasher.h"
 #include "body/body_tolerance.h"
-#include "cast/sweep.h"
-#include "moving/arc.h"
+#include "body/sphere_set_sweep.h"
 
 namespace firma {
 namespace {
@@ -77,48 +76,31 @@ StepPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMoti
     StepPartHit first;
     double reach = 0;
     for (const Sphere& sphere : spheres) reach = std::max(reach, length(sphere.centre) + sphere.radius);
-    const TurnMatrix rotation = matrix_of(normalised(motion.rotation));
-    const TurnRate rate(motion.turn);
     for (std::uint32_t number = 0; number < parts_.size(); ++number) {
         const StepPart& part = parts_[number];
         if (number == left_out || !(part.part.mask & options.mask)) continue;
         if (!part.may_meet(motion.position, reach + length(motion.path))) continue;
         const Scene stretch = between({nothing_, {&part.part, 1}, from_, to_}, from, to);
-        for (std::uint32_t k = 0; k < spheres.size(); ++k) {
-            const Arc arc(motion.position, motion.path, rate, rotation * spheres[k].centre);
-            const Hit hit = cast_sphere(number, arc, spheres[k].radius, stretch, 0, first.fraction, options);
-            if (!hit.touched() || (first.touched() && !(hit.fraction < first.fraction))) continue;
-            static_cast<Hit&>(first) = hit;
-            first.sphere = k;
-            first.part = number;
+        const auto may_meet = [&](double, double, const Sphere& sphere, const Vec3& path) {
+            return part.may_meet(sphere.centre, sphere.radius + length(path));
+        };
+        const auto cast_chord = [&](double begin, double end, const Sphere& sphere, const Vec3& path) {
+            return cast(between(stretch, begin, end), sphere, path, options);
+        };
+        first_of_set(spheres, motion, first, [&](const Arc& arc, double radius, double before) {
+            StepPartHit hit;
+            static_cast<Hit&>(hit) = first_on_arc(arc, radius, 0, before, may_meet, cast_chord);
+            if (!hit.touched()) return hit;
+            hit.part = number;
             const double at = from + hit.fraction * (to - from);
             const Vec3 surface = part.velocity_of(hit.point, at * seconds_) * (seconds_ * (to - from));
             const double speed = dot(surface - arc.velocity_at(hit.fraction), hit.normal);
-            const double back = speed > 0 ? options.contact_offset / speed : 1;
-            first.safe_fraction = back < hit.fraction ? hit.fraction - back : 0;
-            if (first.fraction == 0) return first;
-        }
+            hit.safe_fraction = fraction_before(hit.fraction, options.contact_offset, speed);
+            return hit;
+        });
+        if (first.fraction == 0) break;
     }
     return first;
-}
-
-/// Arcs as cast() of a set and a world takes them: by chords, thicker by as much as these are off.
-/// @param stretch  of the scene, for all of the arc
-Hit StepParts::cast_sphere(std::uint32_t number, const Arc& arc, double radius, const Scene& stretch, double from,
-                           double to, const CastOptions& options) const {
-    const double bulge = arc.bulge(from, to);
-    const Vec3 start = arc.at(from), path = arc.at(to) - start;
-    if (bulge > kMaxBulge) {
-        if (!parts_[number].may_meet(start, radius + bulge + length(path))) return {};
-        const double middle = (from + to) * 0.5;
-        const Hit first = cast_sphere(number, arc, radius, stretch, from, middle, options);
-        return first.status != Status::kMiss ? first : cast_sphere(number, arc, radius, stretch, middle, to, options);
-    }
-    Hit hit = cast(between(stretch, from, to), Sphere{start, radius + bulge}, path, options);
-    if (!hit.touched()) return hit;
-    hit.fraction = from + hit.fraction * (to - from);
-    hit.status = hit.fraction > 0 ? Status::kHit : Status::kInitialOverlap;
-    return hit;
 }
 
 StepParts::Carried StepParts::carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation,

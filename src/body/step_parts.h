@@ -66,9 +66,6 @@ public:
     Carried carried(std::uint32_t part, const Vec3& position, const Quaternion& rotation, double from) const;
 
 private:
-    Hit cast_sphere(std::uint32_t part, const class Arc& arc, double radius, const Scene& stretch, double from,
-                    double to, const CastOptions& options) const;
-
     World nothing_;  ///< in place of the level
     double from_ = 0, to_ = 1, seconds_ = 0;
     std::vector<StepPart> parts_;
