@@ -45,6 +45,8 @@ public:
         const double angle = rate_.angle * (to - from);
         return radius_ * angle * angle * (1.0 / 8);
     }
+    /// From 0 to it bulge() is that; infinite where nothing turns.
+    double time_of_bulge(double bulge) const { return std::sqrt(8 * bulge / radius_) / rate_.angle; }
 
 private:
     Vec3 origin_, path_, offset_;

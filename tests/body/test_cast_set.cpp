@@ -101,6 +101,28 @@ TEST(CastSet, TurningIsNeverLateAndHardlyEarly) {
     }
 }
 
+// Swings past the ground's plane within one piece: it dips 0.02 mm, from 0.01 mm above, and ends higher than it began.
+TEST(CastSet, WhatDipsBeforeItRisesIsMet) {
+    const World world = test::ground();
+    constexpr double kRadius = 0.1, kArm = 1, kGap = 1e-5, kDip = 2e-5;
+    const double before = std::sqrt(2 * kDip / kArm), all = 2.4 * before;  // radians to the lowest point, and in all
+    ASSERT_LT(all * all / 8 * kArm, kMaxBulge);
+    const Sphere sphere{{-kArm * std::sin(before), 0, -kArm * std::cos(before)}, kRadius};
+    RigidMotion motion;
+    motion.position = {0, 0, kGap + kRadius + kArm * std::cos(before)};
+    motion.turn = {0, -all, 0};
+    ASSERT_GT(gap_at(world, {sphere}, motion, 1), kGap);
+    ASSERT_LT(gap_at(world, {sphere}, motion, before / all), -0.9 * (kDip - kGap));
+    const SetHit hit = cast(world, {&sphere, 1}, motion);
+    EXPECT_TRUE(hit.touched());
+    EXPECT_LT(hit.fraction, before / all);
+    const SetPartHit in_scene = cast(Scene{world}, {&sphere, 1}, motion);
+    EXPECT_TRUE(in_scene.touched());
+    EXPECT_LT(in_scene.fraction, before / all);
+    motion.position.z += 2 * (kDip + kMaxBulge);
+    EXPECT_FALSE(cast(world, {&sphere, 1}, motion).touched());
+}
+
 TEST(CastSet, OfNothingOrOfWhatIsNoNumber) {
     const World world = test::depot_world();
     const SphereSet spheres = plank();
