@@ -294,7 +294,7 @@ CLAIMS = [
           1_080_000, 60_000, 'frames',
           CARVE_SOURCES + OF_BRUSHES + public('cast_set', 'part_edits', 'players', 'sphere_set')
           + ['scenes', 'src/join', 'src/brush', 'src/moving', 'src/player', 'src/body/cast_set.cpp', 'levels/depot.map', 'tests/brush/map_text.h', 'tests/full/full_players.cpp', 'tests/full/options.h',
-             'tests/player/player_shapes.h'] + reference('changing_level', 'judge_players', 'parts_near', 'rooms_outside'),
+             'tests/player/player_shapes.h'] + reference('changing_level', 'grown_player', 'judge_players', 'parts_near', 'player_overlap', 'rooms_outside'),
           'test', players, 'full_players'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Bodies beside Bullet's in one run: time a step, bodies lost, depth, energy that comes from nowhere, time to rest.
 //
-//   bench_bodies [--quick] [--csv DIR]
+//   bench_bodies [--quick] [--csv DIR] [FOLDER]
+//
+// Into FOLDER go the scenes, for bench/node/bench_bodies.mjs; nothing is run then.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "bodies/body_peer.h"
 #include "bodies/body_scenes.h"
+#include "bodies/write_scenes.h"
 #include "firma/queries.h"
 #include "firma/solid.h"
 #include "support/race.h"
@@ -98,12 +101,19 @@ std::vector<std::string> row(const BodyScene& scene, const BodyPeer& peer, const
             count(scene.bodies.size()),
             number(mean * 1e3),
             number(worst * 1e3),
+            number(double(scene.bodies.size()) / (mean * 1e3)),
             beside > 0 ? times(mean / beside) : "",
             count(figures.lost),
             number(figures.deepest * 1e3),
             percent(figures.gained / std::max(figures.spent, 1e-9)),
             figures.rest < INFINITY ? number(figures.rest) : "no",
             count(figures.awake)};
+}
+
+int write_all(const Settings& settings) {
+    const std::string fault = write_scenes(body_scenes(settings.repository, settings.quick), settings.rest);
+    if (!fault.empty()) std::fprintf(stderr, "bench_bodies: %s\n", fault.c_str());
+    return fault.empty() ? 0 : 1;
 }
 
 int run_all(const Settings& settings) {
@@ -113,8 +123,8 @@ int run_all(const Settings& settings) {
     peers.push_back(make_bullet_bodies_with_margin);
 #endif
     for (const auto& make : peers) std::printf("%s\n", make()->describe().c_str());
-    Table table("bodies", {"scene", "library", "bodies", "ms a step", "worst ms", "of Firma's", "lost", "deepest mm",
-                           "energy gained", "at rest after s", "awake at the end"});
+    Table table("bodies", {"scene", "library", "bodies", "ms a step", "worst ms", "bodies a ms", "of Firma's", "lost",
+                           "deepest mm", "energy gained", "at rest after s", "awake at the end"});
     for (const BodyScene& scene : body_scenes(settings.repository, settings.quick)) {
         std::printf("%s: %s\n", scene.name.c_str(), scene.what.c_str());
         double first = 0;
@@ -135,6 +145,9 @@ int run_all(const Settings& settings) {
 }  // namespace firma::bench
 
 int main(int argc, char** argv) {
-    return firma::bench::run_all(firma::bench::read_settings(
-        argc, argv, "bodies: rubble, bodies thrown through levels and stacks, beside Bullet where it is found"));
+    const firma::bench::Settings settings = firma::bench::read_settings(
+        argc, argv,
+        "bodies: rubble, bodies thrown through levels and stacks, beside Bullet where it is found; with a folder as "
+        "argument writes the scenes there for bench/node, and runs nothing");
+    return settings.rest.empty() ? firma::bench::run_all(settings) : firma::bench::write_all(settings);
 }

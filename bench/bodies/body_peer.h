@@ -15,6 +15,7 @@ struct BodyScene {
     World world;
     std::vector<Body> bodies;  ///< as they start
     double seconds = 10;
+    double half = 0;  ///< metres: of all bodies, where they are cubes
 };
 
 class BodyPeer {

@@ -6,6 +6,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/level.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/reference/judge_bodies.h"
@@ -82,6 +83,7 @@ BodyScene stacks(std::string name, int count, int height, double top) {
     BodyScene scene{std::move(name), "", make_world(read_map(slab, "slab.map").value()).value(), {}, 10};
     scene.what = std::to_string(count) + " stacks of " + std::to_string(height) + " boxes";
     if (top != 1000) scene.what += ", the highest " + std::to_string(int(top / 1000)) + " times as heavy";
+    scene.half = 0.25;
     const BodyShape box = box_shape(0.25, 1000), highest = box_shape(0.25, top);
     for (int stack = 0; stack < count; ++stack)
         for (int k = 0; k < height; ++k) {
@@ -101,6 +103,8 @@ std::vector<BodyScene> body_scenes(const std::string& repository, bool quick) {
     scenes.push_back(rubble(depot, 200 / share));
     scenes.push_back(thrown("thrown, depot", depot, 1000 / share, 1, 30));
     scenes.push_back(thrown("fast, depot", depot, 500 / share, 100, 1000));
+    if (const Result<World> small = read_world(repository + "/levels/first.obj"))  // of 9,680 triangles
+        scenes.push_back(thrown("thrown, first.obj", small.value(), 500 / share, 1, 30));
     for (const char* map : {"kaos2", "oa_koth1"})
         if (const World world = level_of(repository + "/build/openarena/" + map + ".bsp"); world.face_count() > 0)
             scenes.push_back(thrown(std::string("thrown, ") + map, world, 500 / share, 1, 30));

@@ -3,13 +3,13 @@
 // depth, energy that comes from nowhere, time to rest.
 //
 //   node bench_bodies.mjs [--quick] [--csv FOLDER]
-import { readFileSync } from 'node:fs';
+//
+// The scenes are those that bench_bodies wrote into build/body_scenes (bench/node/run.sh).
 import { fileURLToPath } from 'node:url';
-import { loadGames } from '../../bindings/js/src/games.js';
+import { FACE_SOLID, loadGames } from '../../bindings/js/src/games.js';
 import { firmaBodies, joltBodies, NUMBERS, rapierBodies, statesOf, TICK } from './body_engines.mjs';
 import { bodyScenes } from './body_scenes.mjs';
 import { clock, count, finish, number, settings, times } from './race.mjs';
-import { triangulatedObj } from './scene.mjs';
 
 const GRAVITY = 9.81;
 const LOOK_EVERY = 6; // steps
@@ -27,31 +27,29 @@ function turned([x, y, z, w], v) {
 
 /** Joules of all bodies: of motion, spin, and height. */
 function energyOf(scene, { numbers }) {
-    return scene.bodies.reduce((sum, { kind }, k) => {
+    return scene.bodies.reduce((sum, { mass, inertia }, k) => {
         const at = numbers.subarray(NUMBERS * k, NUMBERS * (k + 1));
         const [x, y, z, w] = at.subarray(3, 7);
         const spin = turned([-x, -y, -z, w], at.subarray(10, 13));
         const [vx, vy, vz] = at.subarray(7, 10);
-        const turning = spin.reduce((all, rate, axis) => all + kind.inertia[axis] * rate * rate, 0);
-        return sum + (kind.mass * (vx * vx + vy * vy + vz * vz) + turning) / 2 + kind.mass * GRAVITY * at[2];
+        const turning = spin.reduce((all, rate, axis) => all + inertia[axis] * rate * rate, 0);
+        return sum + (mass * (vx * vx + vy * vy + vz * vz) + turning) / 2 + mass * GRAVITY * at[2];
     }, 0);
 }
 
-/** Bodies with a sphere's centre in solid, out of the level or nowhere; and how deep the deepest other sphere is. */
+/** Bodies with a sphere's centre in solid, below the level or nowhere; and how deep the deepest other sphere is. */
 function look(scene, { numbers }, figures) {
-    const { world, low, high } = scene.level;
+    const { world, low } = scene.level;
     figures.lost = 0;
-    scene.bodies.forEach(({ kind }, k) => {
+    scene.bodies.forEach(({ spheres }, k) => {
         const at = numbers.subarray(NUMBERS * k, NUMBERS * (k + 1));
-        const inside = low.every((from, axis) => at[axis] > from - 1 && at[axis] < high[axis] + 1); // not of what is no number
-        if (!inside) return void ++figures.lost;
-        const { spheres } = kind;
+        if (!(at[2] >= low[2])) return void ++figures.lost; // what is no number, too
         let deepest = 0;
         for (let s = 0; s < spheres.length; s += 4) {
             const centre = turned(at.subarray(3, 7), spheres.subarray(s, s + 3)).map((part, axis) => part + at[axis]);
             if (world.locate(centre).where === 'solid') return void ++figures.lost;
             const near = world.closest(centre, spheres[s + 3]);
-            if (near !== null) deepest = Math.max(deepest, spheres[s + 3] - near.distance);
+            if (near !== null && near.face !== null && world.face({ id: near.face, corner: near.corner }).flags & FACE_SOLID) deepest = Math.max(deepest, spheres[s + 3] - near.distance);
         }
         figures.deepest = Math.max(figures.deepest, deepest);
     });
@@ -84,8 +82,7 @@ function run(engine, scene) {
 
 const { quick, csv } = settings();
 const games = await loadGames(root('build/wasm/bin/firma_games.wasm'));
-const depot = await games.worldFromMap(readFileSync(root('levels/depot.map')));
-const scenes = bodyScenes(games, await triangulatedObj(root('levels/first.obj')), depot, quick);
+const scenes = bodyScenes(games, root('build/body_scenes')).map((scene) => (quick ? { ...scene, bodies: scene.bodies.slice(0, 10), seconds: 0.5 } : scene));
 const engines = [firmaBodies(games), await joltBodies(false), await joltBodies(true), await rapierBodies(false), await rapierBodies(true)];
 // The first runs are for the engine, which has to compile what is timed.
 for (const engine of engines) run(engine, { ...scenes[0], seconds: quick ? 0.1 : 1 });
@@ -93,10 +90,11 @@ const rows = [];
 for (const scene of scenes) {
     let ours = 0;
     for (const engine of engines) {
+        const boxes = engine.name.endsWith('boxes');
+        if (boxes && !scene.bodies[0].half) continue;
         const { steps, lost, deepest, gained, spent, rest, awake } = run(engine, scene);
         const mean = steps.reduce((sum, ms) => sum + ms, 0) / steps.length;
         if (ours === 0) ours = mean;
-        const boxes = engine.name.endsWith('boxes');
         rows.push([
             scene.name,
             engine.name,

@@ -8,7 +8,8 @@ import initJolt from 'jolt-physics/wasm-compat';
 
 export const TICK = 1 / 60;
 export const NUMBERS = 13;
-const [FRICTION, RESTITUTION] = [0.6, 0.1];
+/** Of the level: its friction, as Firma has it; of two that touch the larger restitution counts. */
+const FRICTION = 0.6;
 
 /** Room for what read() fills. */
 export const statesOf = (count) => ({ numbers: new Float64Array(NUMBERS * count), asleep: new Uint8Array(count) });
@@ -20,16 +21,15 @@ export function firmaBodies(games) {
         start(scene) {
             bodies = games.bodies();
             world = scene.level.world;
-            const shapes = new Map();
-            ids = scene.bodies.map(({ kind, position, rotation, velocity, spin }) => {
-                const [x, y, z] = kind.inertia;
-                const mass = { volume: 1, mass: kind.mass, centre: [0, 0, 0], inertia: [x, 0, 0, 0, y, 0, 0, 0, z] };
-                if (!shapes.has(kind)) shapes.set(kind, games.bodyShape(kind.spheres, mass));
-                const id = bodies.add(shapes.get(kind), { position, rotation });
-                bodies.set(id, { velocity, spin, friction: FRICTION, restitution: RESTITUTION });
+            ids = scene.bodies.map(({ spheres, mass, inertia, ...body }) => {
+                const [x, y, z] = inertia;
+                const shape = games.bodyShape(spheres, { volume: 1, mass, centre: [0, 0, 0], inertia: [x, 0, 0, 0, y, 0, 0, 0, z] });
+                const id = bodies.add(shape, { position: body.position, rotation: body.rotation });
+                shape.release();
+                const { velocity, spin, friction, restitution } = body;
+                bodies.set(id, { velocity, spin, friction, restitution });
                 return id;
             });
-            for (const shape of shapes.values()) shape.release();
         },
         step: () => bodies.step(world, TICK),
         read({ numbers, asleep }) {
@@ -79,21 +79,23 @@ export function joltMeshShape(J, mesh) {
     return shape;
 }
 
-function joltShape(J, kind, boxes) {
-    if (boxes && kind.half !== null) return new J.BoxShape(new J.Vec3(...kind.half), 0.02);
-    const { spheres } = kind;
-    if (spheres.length === 4) return new J.SphereShape(spheres[3]);
+/** Its centre of mass is the origin. */
+function joltShape(J, { spheres, half }, boxes) {
+    if (boxes && half) return new J.BoxShape(new J.Vec3(...half), 0.02);
     const settings = new J.StaticCompoundShapeSettings();
     for (let k = 0; k < spheres.length; k += 4)
         settings.AddShapeShape(new J.Vec3(...spheres.subarray(k, k + 3)), new J.Quat(0, 0, 0, 1), new J.SphereShape(spheres[k + 3]), 0);
-    return settings.Create().Get();
+    const result = settings.Create();
+    if (result.HasError()) throw new Error(result.GetError().c_str());
+    const compound = result.Get();
+    const middle = compound.GetCenterOfMass();
+    return new J.OffsetCenterOfMassShape(compound, new J.Vec3(-middle.GetX(), -middle.GetY(), -middle.GetZ()));
 }
 
 /** A level as a body that stands. */
 export function joltLevel(J, system, mesh) {
     const settings = new J.BodyCreationSettings(joltMeshShape(J, mesh), new J.RVec3(0, 0, 0), new J.Quat(0, 0, 0, 1), J.EMotionType_Static, STILL);
     settings.mFriction = FRICTION;
-    settings.mRestitution = RESTITUTION;
     settings.mEnhancedInternalEdgeRemoval = true;
     const bodies = system.GetBodyInterface();
     bodies.AddBody(bodies.CreateBody(settings).GetID(), J.EActivation_DontActivate);
@@ -102,16 +104,6 @@ export function joltLevel(J, system, mesh) {
 export async function joltBodies(boxes) {
     const J = await initJolt();
     let jolt, bodies;
-    const makeShapes = (scene) => {
-        const shapes = new Map();
-        for (const { kind } of scene.bodies) {
-            if (shapes.has(kind)) continue;
-            const shape = joltShape(J, kind, boxes);
-            shape.AddRef();
-            shapes.set(kind, shape);
-        }
-        return shapes;
-    };
     return {
         name: boxes ? 'jolt-physics, boxes' : 'jolt-physics',
         start(scene) {
@@ -120,17 +112,17 @@ export async function joltBodies(boxes) {
             const all = system.GetBodyInterface();
             joltLevel(J, system, scene.level.mesh);
             system.OptimizeBroadPhase();
-            const shapes = makeShapes(scene);
-            bodies = scene.bodies.map(({ kind, position, rotation, velocity, spin }) => {
-                const settings = new J.BodyCreationSettings(shapes.get(kind), new J.RVec3(...position), new J.Quat(...rotation), J.EMotionType_Dynamic, MOVING);
-                settings.mFriction = FRICTION;
-                settings.mRestitution = RESTITUTION;
+            bodies = scene.bodies.map((one) => {
+                const { mass, inertia, friction, restitution, position, rotation, velocity, spin } = one;
+                const settings = new J.BodyCreationSettings(joltShape(J, one, boxes), new J.RVec3(...position), new J.Quat(...rotation), J.EMotionType_Dynamic, MOVING);
+                settings.mFriction = friction;
+                settings.mRestitution = restitution;
                 settings.mMotionQuality = J.EMotionQuality_LinearCast;
                 settings.mEnhancedInternalEdgeRemoval = true;
                 settings.mMaxLinearVelocity = 1000;
                 settings.mOverrideMassProperties = J.EOverrideMassProperties_MassAndInertiaProvided;
-                settings.mMassPropertiesOverride.mMass = kind.mass;
-                settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScaleVec3(new J.Vec3(...kind.inertia));
+                settings.mMassPropertiesOverride.mMass = mass;
+                settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScaleVec3(new J.Vec3(...inertia));
                 const body = all.CreateBody(settings);
                 J.destroy(settings);
                 all.AddBody(body.GetID(), J.EActivation_Activate);
@@ -157,10 +149,9 @@ export async function joltBodies(boxes) {
     };
 }
 
-function rapierColliders(kind, boxes) {
+function rapierColliders({ spheres, half }, boxes) {
     const { ColliderDesc } = Rapier;
-    if (boxes && kind.half !== null) return [ColliderDesc.cuboid(...kind.half)];
-    const { spheres } = kind;
+    if (boxes && half) return [ColliderDesc.cuboid(...half)];
     const all = [];
     for (let k = 0; k < spheres.length; k += 4)
         all.push(ColliderDesc.ball(spheres[k + 3]).setTranslation(spheres[k], spheres[k + 1], spheres[k + 2]));
@@ -176,8 +167,9 @@ export async function rapierBodies(boxes) {
             world = new Rapier.World({ x: 0, y: 0, z: -9.81 });
             world.timestep = TICK;
             const level = Rapier.ColliderDesc.trimesh(Float32Array.from(scene.level.mesh.positions), scene.level.mesh.corners, Rapier.TriMeshFlags.FIX_INTERNAL_EDGES);
-            world.createCollider(level.setFriction(FRICTION).setRestitution(RESTITUTION));
-            bodies = scene.bodies.map(({ kind, position, rotation, velocity, spin }) => {
+            world.createCollider(level.setFriction(FRICTION).setRestitution(0));
+            bodies = scene.bodies.map((one) => {
+                const { mass, inertia, friction, restitution, position, rotation, velocity, spin } = one;
                 const [x, y, z, w] = rotation;
                 const settings = Rapier.RigidBodyDesc.dynamic()
                     .setTranslation(...position)
@@ -186,14 +178,17 @@ export async function rapierBodies(boxes) {
                     .setAngvel({ x: spin[0], y: spin[1], z: spin[2] })
                     .setCcdEnabled(true)
                     .setAdditionalMassProperties(
-                        kind.mass,
+                        mass,
                         { x: 0, y: 0, z: 0 },
-                        { x: kind.inertia[0], y: kind.inertia[1], z: kind.inertia[2] },
+                        { x: inertia[0], y: inertia[1], z: inertia[2] },
                         { x: 0, y: 0, z: 0, w: 1 },
                     );
                 const body = world.createRigidBody(settings);
-                for (const collider of rapierColliders(kind, boxes))
-                    world.createCollider(collider.setDensity(0).setFriction(FRICTION).setRestitution(RESTITUTION), body);
+                for (const collider of rapierColliders(one, boxes))
+                    world.createCollider(
+                        collider.setDensity(0).setFriction(friction).setRestitution(restitution).setRestitutionCombineRule(Rapier.CoefficientCombineRule.Max),
+                        body,
+                    );
                 return body;
             });
         },
