@@ -26,8 +26,9 @@ inline constexpr double kMaxBulge = 1.0 / 32768;
 /// A set that only moves straight is as exact as its spheres: the answer is that of cast() for each, the smallest
 /// fraction, then the lowest sphere. The spheres of one that turns go on arcs. These are divided until the chord of a
 /// piece is within kMaxBulge of the arc at all times, which is proven; then a sphere that is thicker by so much goes
-/// along the chord. So a touch is never late, and early by no more than the way on which a sphere comes 2 kMaxBulge
-/// (0.06 mm) nearer. What comes to nothing near is not divided.
+/// along the chord. So a touch is early by no more than the way on which a sphere comes 2 kMaxBulge (0.06 mm) nearer,
+/// and late only where an arc comes nearer to a face between two pieces that both lead away from it, by less than
+/// kMaxBulge (docs/bodies.md). What comes to nothing near is not divided.
 ///
 /// @param motion   of the set
 /// @param options  as for one sphere; `room` has to hold all of the set, or be kAnyRoom; a trail is of no use here
@@ -45,7 +46,7 @@ struct SetPartHit : PartHit {
 
 /// The first touch of a moving set with a level, or with parts that move meanwhile along the scene's stretch: as cast()
 /// of a scene for each sphere, the smallest fraction, then the lowest sphere. Spheres on arcs go by chords as above, so
-/// a touch is never late, but for what cast() of a scene says of parts that turn; of these it is early by both bounds.
+/// a touch is early or late by no more than what is said there, and what cast() of a scene says of parts that turn.
 /// @return as above, and as cast() of a scene; of a set that turns safe_fraction is reckoned as there of parts that do
 /// Never allocates. Costs a cast through the scene for each sphere, and when turning one for each piece of its arc that
 /// comes near the level or the ball around a part.

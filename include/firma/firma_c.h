@@ -1180,12 +1180,13 @@ typedef struct firma_set_hit {
 } firma_set_hit;
 
 /* The first touch of a set with the world. Of one that does not turn it is that of the cast of each sphere, the
- * smallest fraction, then the lowest number; of one that turns it is never late, and at most 0.06 mm early, and
- * safe_fraction is reckoned from the speed along the normal. `room` of the options has to hold all of the set, or be
- * FIRMA_ANY_ROOM; `passed` is of no use. Status FIRMA_INVALID as firma_cast(), and for a rotation of zero or a turn
- * beyond 2^20 radians; FIRMA_MISS for no sphere. FIRMA_ERROR_TOO_LARGE for more than 4,096. Takes memory for a copy of
- * the spheres. Costs a look for what a sphere around all of it comes near; where that finds anything, a cast for each
- * sphere, and when turning one for each piece of its arc that comes near anything. */
+ * smallest fraction, then the lowest number; of one that turns it is at most 0.06 mm early, and at most 0.03 mm late,
+ * where an arc turns away from a face it has just begun to come nearer to; safe_fraction is reckoned from the speed
+ * along the normal. `room` of the options has to hold all of the set, or be FIRMA_ANY_ROOM; `passed` is of no use.
+ * Status FIRMA_INVALID as firma_cast(), and for a rotation of zero or a turn beyond 2^20 radians; FIRMA_MISS for no
+ * sphere. FIRMA_ERROR_TOO_LARGE for more than 4,096. Takes memory for a copy of the spheres. Costs a look for what a
+ * sphere around all of it comes near; where that finds anything, a cast for each sphere, and when turning one for each
+ * piece of its arc that comes near anything. */
 FIRMA_API firma_code firma_cast_set(firma_world world, const double* spheres, size_t count, const firma_motion* motion,
                                     const firma_cast_options* options, firma_set_hit* hit);
 

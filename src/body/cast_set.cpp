@@ -52,7 +52,7 @@ SetHit cast_spheres(const World& world, std::span<const Sphere> spheres, const R
     first.centre = motion.position + motion.path;
     first_of_set(spheres, motion, first, [&](const Arc& arc, double radius, double before) -> Hit {
         if (!(arc.bulge(0, 1) > 0)) return cast(world, {arc.at(0), radius}, motion.path, each);
-        Hit hit = first_on_arc(arc, radius, before, may_meet, cast_chord);
+        Hit hit = first_on_arc(arc, radius, 0, before, may_meet, cast_chord);
         if (hit.touched())
             hit.safe_fraction = fraction_before(hit.fraction, offset, -dot(arc.velocity_at(hit.fraction), hit.normal));
         return hit;

@@ -26,7 +26,7 @@ public:
             if (hit.touched() && to > from) hit.surface_velocity *= 1 / (to - from);
             return hit;
         };
-        PartHit hit = first_on_arc(arc, radius, before, may_meet, cast_chord);
+        PartHit hit = first_on_arc(arc, radius, 0, before, may_meet, cast_chord);
         if (!hit.touched()) return hit;
         const double speed = -dot(arc.velocity_at(hit.fraction) - hit.surface_velocity, hit.normal);
         hit.safe_fraction = fraction_before(hit.fraction, options_.contact_offset, speed);

@@ -5,6 +5,7 @@
 #include <span>
 #include <type_traits>
 
+#include "body/body_tolerance.h"
 #include "firma/cast_set.h"
 #include "moving/arc.h"
 
@@ -34,53 +35,41 @@ inline double fraction_before(double touch, double offset, double speed) {
     return back < touch ? touch - back : 0;
 }
 
-/// As first_on_arc(), between two times, once more in halves where the thick sphere may meet anything.
-template <class MayMeet, class CastChord>
-auto first_in_halves(const Arc& arc, double radius, double from, double to, const MayMeet& may_meet,
-                     const CastChord& cast_chord) -> decltype(cast_chord(from, to, Sphere{}, Vec3{})) {
-    const double bulge = arc.bulge(from, to);
-    const Vec3 start = arc.at(from), path = arc.at(to) - start;
-    const Sphere thick{start, radius + bulge};
-    if (bulge > kMaxBulge) {
-        if (!may_meet(from, to, thick, path)) return {};
-        const double middle = (from + to) * 0.5;
-        auto first = first_in_halves(arc, radius, from, middle, may_meet, cast_chord);
-        if (first.status != Status::kMiss) return first;
-        return first_in_halves(arc, radius, middle, to, may_meet, cast_chord);
-    }
-    auto hit = cast_chord(from, to, thick, path);
-    if (!hit.touched()) return hit;
-    hit.fraction = from + hit.fraction * (to - from);
-    hit.status = hit.fraction > 0 ? Status::kHit : Status::kInitialOverlap;
-    return hit;
-}
-
-/// Rounding, metres: a piece of an arc that bulges no more is straight.
-constexpr double kStraight = 1e-9;
-
-/// The first touch of a sphere whose centre goes along an arc, from 0 to a fraction of it: by chords, the sphere
-/// thicker by as much as these are off, in halves until that is at most kMaxBulge.
+/// The first touch of a sphere whose centre goes along an arc, between two times: by chords, the sphere thicker by as
+/// much as these are off, in halves until that is at most kMaxBulge.
 ///
 /// A chord that leads away from a face meets it not, though the arc beside it may first come nearer, by a bulge at
 /// most. On a piece that comes nearer first, so did the end of the piece before, whose thick sphere was then clear of
-/// the face. What the first piece begins with is looked at alone, on a bit of it that is as good as straight.
+/// the face. What the motion begins with is looked at alone, on a bit of the arc that is straight but for rounding.
+/// Left out is an arc that turns towards a face at the end of a piece and away again in the next, see docs/bodies.md.
+/// @param from  below `to`; 0 where the motion begins
 /// @param may_meet  (from, to, sphere, path): whether the thick sphere may meet anything between these times
 /// @param cast_chord  (from, to, sphere, path): its hit, in fractions of the chord
 template <class MayMeet, class CastChord>
-auto first_on_arc(const Arc& arc, double radius, double to, const MayMeet& may_meet, const CastChord& cast_chord)
-    -> decltype(cast_chord(to, to, Sphere{}, Vec3{})) {
-    const double bulge = arc.bulge(0, to), start = arc.time_of_bulge(kStraight);
-    const Vec3 centre = arc.at(0);
-    if (bulge > kMaxBulge && !may_meet(0, to, Sphere{centre, radius + bulge}, arc.at(to) - centre)) return {};
-    if (start < to) {
-        const Sphere thick{centre, radius + (bulge < kMaxBulge ? bulge : kMaxBulge)};
-        auto hit = cast_chord(0, start, thick, arc.at(start) - centre);
-        if (hit.touched()) {
-            hit.fraction *= start;
-            return hit;
-        }
+auto first_on_arc(const Arc& arc, double radius, double from, double to, const MayMeet& may_meet,
+                  const CastChord& cast_chord) -> decltype(cast_chord(from, to, Sphere{}, Vec3{})) {
+    const double bulge = arc.bulge(from, to);
+    const Sphere thick{arc.at(from), radius + bulge};
+    const auto cast_to = [&](double end) {
+        auto hit = cast_chord(from, end, thick, arc.at(end) - thick.centre);
+        if (!hit.touched()) return hit;
+        hit.fraction = from + hit.fraction * (end - from);
+        hit.status = hit.fraction > 0 ? Status::kHit : Status::kInitialOverlap;
+        return hit;
+    };
+    if (bulge > kMaxBulge) {
+        if (!may_meet(from, to, thick, arc.at(to) - thick.centre)) return {};
+        const double middle = (from + to) * 0.5;
+        auto first = first_on_arc(arc, radius, from, middle, may_meet, cast_chord);
+        if (first.status != Status::kMiss) return first;
+        return first_on_arc(arc, radius, middle, to, may_meet, cast_chord);
     }
-    return first_in_halves(arc, radius, 0, to, may_meet, cast_chord);
+    const double straight_to = arc.time_of_bulge(kDistanceRounding);
+    if (from == 0 && straight_to < to) {
+        auto first = cast_to(straight_to);
+        if (first.status != Status::kMiss) return first;
+    }
+    return cast_to(to);
 }
 
 /// The first touch of any sphere of a set, earlier than what is given; of equal ones, of the first sphere.

@@ -89,7 +89,7 @@ StepPartHit StepParts::cast_set(std::span<const Sphere> spheres, const RigidMoti
         };
         first_of_set(spheres, motion, first, [&](const Arc& arc, double radius, double before) {
             StepPartHit hit;
-            static_cast<Hit&>(hit) = first_on_arc(arc, radius, before, may_meet, cast_chord);
+            static_cast<Hit&>(hit) = first_on_arc(arc, radius, 0, before, may_meet, cast_chord);
             if (!hit.touched()) return hit;
             hit.part = number;
             const double at = from + hit.fraction * (to - from);
