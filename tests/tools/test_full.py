@@ -85,7 +85,10 @@ class Lines(unittest.TestCase):
         self.line(7, 10, 'fail')
         self.line(3, 10)
         self.line(50, 10, commit='before')
-        self.assertEqual(self.full.next_seed(self.claim), 8)
+        self.assertEqual(self.full.next_seed(self.claim), 1)
+        self.line(1, 10)
+        self.line(2, 10, 'fail')
+        self.assertEqual(self.full.next_seed(self.claim), 4)
 
     def test_works_off_in_chunks(self):
         self.assertEqual(self.run_main()[0], 0)
@@ -103,6 +106,28 @@ class Lines(unittest.TestCase):
         self.code = 'import os; os.kill(os.getpid(), 15)'
         self.assertEqual(self.run_main()[0], 1)
         self.assertEqual(self.full.lines_of(self.claim), [])
+
+
+class Shares(unittest.TestCase):
+    def test_what_lapses_with_the_first_share_alone_is_of_no_other_program(self):
+        """Of firma_tests alone: no source of another test program includes a header of these folders, by whatever way."""
+        full = load()
+        tests = os.path.join(ROOT, 'tests')
+        for folder in full.OF_FIRST_SHARE:
+            self.assertTrue(os.path.isdir(os.path.join(tests, folder)), folder)
+        of_others = [os.path.join(tests, 'world', 'test_cast_touches_nothing.cpp'), os.path.join(tests, 'carve', 'test_carve_no_memory.cpp')]
+        for folder in ('bullet', 'c', 'cli', 'draw', 'gltf', 'threads'):
+            of_others += [os.path.join(tests, folder, name) for name in os.listdir(os.path.join(tests, folder))]
+        self.assertGreater(len(of_others), 50)
+        seen = set()
+        while of_others:
+            path = of_others.pop()
+            if path in seen or not path.endswith(('.h', '.cpp', '.c')):
+                continue
+            seen.add(path)
+            self.assertNotIn(os.path.relpath(path, tests).split(os.sep)[0], full.OF_FIRST_SHARE)
+            with open(path, encoding='utf-8') as file:
+                of_others += [os.path.join(ROOT, line.split('"')[1]) for line in file if line.startswith('#include "tests/')]
 
 
 if __name__ == '__main__':
