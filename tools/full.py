@@ -216,7 +216,7 @@ SANITIZED_SOURCES = ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'binding
                      'CMakePresets.json', 'cmake']
 SHARES_OF_CPP = 2  # shares before the first of the command line
 # Folders of tests that of all these programs firma_tests and firma_boost_tests alone have, which are in the first share.
-OF_FIRST_SHARE = ('brush', 'cast', 'geometry', 'join', 'player')
+OF_FIRST_SHARE = ('cast', 'geometry', 'join', 'player')
 
 
 def sanitized_sources(seed):
