@@ -23,7 +23,7 @@ struct FreeWay {
     double reach(double most) const {
         constexpr int kAside = 8, kDown = -6, kUp = 6;
         using Place = std::array<int, 3>;
-        std::queue<Place> open;
+        std::priority_queue<Place> open;  // the farthest ahead first
         std::set<Place> seen;
         const auto visit = [&](const Place& place) {
             if (std::abs(place[1]) > kAside || place[2] < kDown || place[2] > kUp || place[0] < 0) return;
@@ -33,8 +33,9 @@ struct FreeWay {
         };
         visit({0, 0, 0});
         int farthest = -1;
-        for (; !open.empty() && farthest * kEvery < most; open.pop()) {
-            const Place at = open.front();
+        while (!open.empty() && farthest * kEvery < most) {
+            const Place at = open.top();
+            open.pop();
             farthest = std::max(farthest, at[0]);
             for (std::size_t axis = 0; axis < 3; ++axis)
                 for (const int step : {1, -1}) {

@@ -355,12 +355,12 @@ TEST_P(PlayerCraters, IntoWhatARocketTearsOutOfAWallAsFarAsThereIsRoomAndOut) {
 
 TEST_P(PlayerCraters, ThroughWhatARocketTearsOutOfAThinWall) {
     std::size_t through = 0;
-    at_places(kRun, 3, [&](const FloorPlace& place) {
+    at_places(kRun, 2, [&](const FloorPlace& place) {
         const World wall = block_at(world(), place, {-0.125, -0.9, -0.25}, {0.125, 0.9, 2.9});
         const World hole = shot(wall, place.at, place.along, {0});
+        EXPECT_LT(free_way(wall, place.at - place.along * 1.25, place.along, side_of(place)).reach(2.5), 1);
         for (const double way : {1.0, -1.0}) {
             const Vec3 ahead = place.along * way, from = place.at - ahead * 1.25;
-            EXPECT_LT(free_way(wall, from, ahead, side_of(place)).reach(2.5), 1);
             if (free_way(hole, from, ahead, side_of(place)).reach(2.5) < 2.5) continue;
             Walk walk = stands(hole, from);
             walk.go(ahead * 2, 105);  // 75 ticks on flat ground
