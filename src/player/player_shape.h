@@ -40,6 +40,7 @@ public:
     /// @param scene  outlives this
     PostureIn(const Scene& scene, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset);
 
+    double height() const { return posture_->height; }  ///< metres
     PartHit sweep(const Vec3& feet, const Vec3& path) const;
     /// The same, but what is met up to 16 contact offsets beyond the end counts, too, where keeping the offset from it
     /// ends the way before its end: then `fraction` may be above 1. What is met later than that is a miss.

@@ -199,6 +199,7 @@ bool PlayerTick::come_down(const PartHit& hit, const Vec3& left) {
         const PartHit next = go(path);
         flat *= 1 - next.safe_fraction;
         if (!next.touched()) break;
+        note(next, ground_rules_.under(next, player_.position));
         add_wall(next.normal);
     }
     settle(rules_.step_height);

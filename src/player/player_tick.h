@@ -51,6 +51,9 @@ private:
     PartHit go(const Vec3& path);
     void back_off(const Vec3& normal, double far);
     bool climb(Vec3& left);
+    /// Too high: it met something above where its head was; too low: something else alone.
+    enum class Climb { kDone, kNowhere, kTooLow, kTooHigh };
+    Climb climb_by(double rise, Vec3& left);
     Vec3 foothold(const Vec3& feet) const;
     bool come_down(const PartHit& hit, const Vec3& left);
     bool climb_from_slide(const PartHit& hit, const Vec3& left);

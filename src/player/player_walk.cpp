@@ -10,6 +10,8 @@ namespace {
 
 /// Slop, metres: a step up that leads no farther is none.
 constexpr double kLeastClimb = 1e-4;
+/// A rise under a lintel is looked for to a 64th of a step.
+constexpr int kRiseHalvings = 6;
 /// Slop, the length of a unit vector's part sideways: what has less is level.
 constexpr double kLevel = 1e-6;
 /// A ledge is come up to within this share of a tick's way.
@@ -42,36 +44,54 @@ void PlayerTick::walk_along(Vec3 left) {
     }
 }
 
+// By a whole step, as far as there is room; under a lintel by as much as leads between that and what it climbs.
+bool PlayerTick::climb(Vec3& left) {
+    const double most = rules_.step_height * posture_.sweep(player_.position, up_ * rules_.step_height).safe_fraction;
+    if (!(most > offset_) || !(max_abs(left) > 0)) return false;
+    Climb climbed = climb_by(most, left);
+    if (climbed != Climb::kTooHigh) return climbed == Climb::kDone;
+    double low = 0, high = most;
+    for (int k = 0; k < kRiseHalvings; ++k) {
+        const double middle = (low + high) * 0.5;
+        climbed = climb_by(middle, left);
+        if (climbed == Climb::kDone || climbed == Climb::kNowhere) return climbed == Climb::kDone;
+        (climbed == Climb::kTooHigh ? high : low) = middle;
+    }
+    return false;
+}
+
 // Up, along, and down again: on a step if what it comes down on carries. Else, as on the steep side of a small pit, if
 // a bit farther on something does that is no higher than a step: then it is on its way up.
-bool PlayerTick::climb(Vec3& left) {
+PlayerTick::Climb PlayerTick::climb_by(double rise, Vec3& left) {
     const Vec3 from = player_.position;
-    const double rise = rules_.step_height * posture_.sweep(from, up_ * rules_.step_height).safe_fraction;
-    if (!(rise > offset_) || !(max_abs(left) > 0)) return false;
     // A slow one goes as far as over the gap that it keeps.
     Vec3 at = from + up_ * rise, to_do = left * std::max(1.0, 2 * offset_ / length(left));
     const Vec3 ahead = unit(left) * (2 * shape_.radius);
     AllowedMotion walls = state_.walls;
+    Climb not_done = Climb::kNowhere;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = walls.nearest(to_do);
         if (!(max_abs(path) > 0)) break;
         const PartHit hit = posture_.sweep(at, path);
         at += path * hit.safe_fraction;
         to_do *= 1 - hit.safe_fraction;
+        if (!hit.touched()) break;
+        const bool over_head = dot(hit.point - from, up_) > posture_.height();
+        if (not_done != Climb::kTooHigh) not_done = over_head ? Climb::kTooHigh : Climb::kTooLow;
         const Vec3 side = sideways(hit.normal);
-        if (!hit.touched() || !(length(side) > kLevel)) break;
+        if (!(length(side) > kLevel)) break;
         walls.add(unit(side));
     }
-    if (!(length(sideways(at - from)) > kLeastClimb)) return false;
+    if (!(length(sideways(at - from)) > kLeastClimb)) return not_done;
     const Vec3 fall = up_ * -(rise + offset_);
     const Landing near = land(at, fall);
-    if (!near.hit.touched() || dot(near.feet - from, up_) < 0) return false;
+    if (!near.hit.touched() || dot(near.feet - from, up_) < 0) return not_done;
     if (is_step(near, from)) {
         state_.ground = near.ground.normal;
     } else {
-        if (near.ground.carries) return false;
+        if (near.ground.carries) return not_done;
         const Landing far = land(at + ahead * posture_.sweep(at, ahead).safe_fraction, fall);
-        if (!is_step(far, from)) return false;
+        if (!is_step(far, from)) return not_done;
         state_.climbing = true;
         state_.ground = up_;
     }
@@ -79,7 +99,7 @@ bool PlayerTick::climb(Vec3& left) {
     left = to_do;
     move_.stepped = true;
     note(near.hit, near.ground);
-    return true;
+    return Climb::kDone;
 }
 
 PlayerTick::Landing PlayerTick::land(const Vec3& feet, const Vec3& fall) const {

@@ -2,6 +2,7 @@
 // Players in craters, holes and rubble of the blasted depot and of blasted maps, with a capsule, a box and spheres.
 #include <cmath>
 
+#include "tests/player/free_way.h"
 #include "tests/player/player_levels.h"
 
 namespace firma::test {
@@ -38,6 +39,18 @@ protected:
     static World crater(const World& level, const Vec3& at, double size, std::uint64_t seed) {
         const CarveResult made = carve(level, make_crater(CutterShape::kRocky, seed), pose_at(at.x, at.y, at.z, size));
         return made.done() && !reference::opens_way_out(level, made.world) ? made.world : level;
+    }
+    /// Rockets at two heights, each so far into a wall.
+    static World shot(World level, const Vec3& foot, const Vec3& into, std::initializer_list<double> depths) {
+        for (const double up : {0.8, 1.2})
+            for (const double in : depths)
+                level = crater(level, foot + into * in + Vec3{0, 0, up}, 0.95, std::uint64_t(up * 10 + in));
+        return level;
+    }
+    static constexpr double kBefore = 0.4;  ///< metres: before a wall there is as much room
+    FreeWay free_way(const World& now, const Vec3& floor, const Vec3& ahead, const Vec3& aside) const {
+        const PlayerShape larger = player_shapes(kOffset)[std::size_t(std::get<1>(GetParam()))];
+        return {now, larger, kOffset, floor + Vec3{0, 0, 0.005}, ahead, aside};
     }
     /// A player who is not judged by sheets, which pits have cut rims into.
     Walk stands(const World& now, const Vec3& feet) const {
@@ -314,6 +327,49 @@ TEST_P(PlayerCraters, UnderTheSlabThatALowHoleLeavesItGoesCrouchedAlone) {
         ++entered;
     });
     EXPECT_GE(entered, 1u);
+}
+
+// The hole is round: a box is held by its corners where a capsule walks on. How far there is room is found on a grid.
+TEST_P(PlayerCraters, IntoWhatARocketTearsOutOfAWallAsFarAsThereIsRoomAndOut) {
+    std::size_t entered = 0;
+    at_walls(false, [&](const WallPlace& wall) {
+        const World hole = shot(world(), wall.foot, wall.normal * -1.0, {0.1, 0.5});
+        const Vec3 from = wall.foot + wall.normal * kBefore;
+        const double room = free_way(hole, from, wall.normal * -1.0, wall.along).reach(2) - kBefore;
+        if (room < 0.25) return;  // nothing was cut, or it is too narrow
+        Walk walk = stands(hole, from);
+        walk.go(wall.normal * -2.0, 90);
+        const double deep = -dot(walk.at() - wall.foot, wall.normal);
+        EXPECT_GT(deep, room - 0.05);
+        EXPECT_TRUE(is_inside(hole, walk));
+        for (int k = 0; k < 3; ++k) {
+            walk.go(wall.normal * -2.0 + wall.along * (k - 1.0), 20);
+            EXPECT_TRUE(is_inside(hole, walk)) << k;
+        }
+        walk.with({.velocity = wall.normal * 2.0, .jump = true}, 120);
+        EXPECT_GT(dot(walk.at() - wall.foot, wall.normal), kBefore);
+        ++entered;
+    });
+    EXPECT_GE(entered, 1u);
+}
+
+TEST_P(PlayerCraters, ThroughWhatARocketTearsOutOfAThinWall) {
+    std::size_t through = 0;
+    at_places(kRun, 2, [&](const FloorPlace& place) {
+        const World wall = block_at(world(), place, {-0.125, -0.9, -0.25}, {0.125, 0.9, 2.9});
+        const World hole = shot(wall, place.at, place.along, {0});
+        EXPECT_LT(free_way(wall, place.at - place.along * 1.25, place.along, side_of(place)).reach(2.5), 1);
+        for (const double way : {1.0, -1.0}) {
+            const Vec3 ahead = place.along * way, from = place.at - ahead * 1.25;
+            if (free_way(hole, from, ahead, side_of(place)).reach(2.5) < 2.5) continue;
+            Walk walk = stands(hole, from);
+            walk.go(ahead * 2, 105);  // 75 ticks on flat ground
+            EXPECT_GT(dot(walk.at() - place.at, ahead), 1.2) << way;
+            EXPECT_TRUE(is_inside(hole, walk)) << way;
+            ++through;
+        }
+    });
+    EXPECT_GE(through, 1u);
 }
 
 // What lay loose and has become ground: the chunks of the blasts, put down as resting_solid() does.

@@ -116,6 +116,31 @@ TEST_P(PlayerWalks, UpStairsAtFullSpeedAndDownAgain) {
     }
 }
 
+// A sill under a lintel: raised by a whole step its head would meet that.
+TEST_P(PlayerWalks, OverASillUnderALintelItGoesThrough) {
+    for (const double sill : {0.03, 0.1, 0.2, 0.3, 0.4}) {
+        for (const double room : {0.05, 0.1, 0.3}) {
+            SCOPED_TRACE(std::to_string(sill) + " m, " + std::to_string(room) + " m over its head");
+            const World door = course(map_text::box({0, -4, -1}, {0.5, 4, sill}, "rock") +
+                                      map_text::box({0, -4, sill + 1.8 + room}, {0.5, 4, 4}, "rock"));
+            for (const double askew : {0.0, 0.6}) {
+                Walk walk = this->walk(door, {-1, 0, kOffset});
+                walk.wait(5);
+                walk.airborne = 0;
+                walk.go({2, askew * 2, 0}, 75);
+                EXPECT_GT(walk.at().x, 1) << askew;
+                EXPECT_NEAR(walk.at().z, kOffset, 1e-6) << askew;
+                EXPECT_EQ(walk.airborne, 0u) << askew;
+            }
+        }
+        const World shut = course(map_text::box({0, -4, -1}, {0.5, 4, sill}, "rock") +
+                                  map_text::box({0, -4, sill + 1.79}, {0.5, 4, 4}, "rock"));
+        Walk walk = this->walk(shut, {-1, 0, kOffset});
+        walk.go({2, 0, 0}, 75);
+        EXPECT_LT(walk.at().x, 0) << sill;  // too low by a centimetre
+    }
+}
+
 TEST_P(PlayerWalks, UpStairsAtAnySpeed) {
     for (const double speed : {0.05, 0.5, 10.0, 40.0}) {
         Walk walk = this->walk(course(stairs(1, 6, 0.3125, 0.3125)), {0, 0, kOffset});
