@@ -109,11 +109,11 @@ class Lines(unittest.TestCase):
 
 
 class Shares(unittest.TestCase):
-    def test_what_lapses_with_the_first_share_alone_is_of_no_other_program(self):
+    def test_what_lapses_with_the_first_shares_alone_is_of_no_other_program(self):
         """Of firma_tests alone: no source of another test program includes a header of these folders, by whatever way."""
         full = load()
         tests = os.path.join(ROOT, 'tests')
-        for folder in full.OF_FIRST_SHARE:
+        for folder in full.OF_FIRST_SHARES:
             self.assertTrue(os.path.isdir(os.path.join(tests, folder)), folder)
         of_others = [os.path.join(tests, 'world', 'test_cast_touches_nothing.cpp'), os.path.join(tests, 'carve', 'test_carve_no_memory.cpp')]
         for folder in ('bullet', 'c', 'cli', 'draw', 'gltf', 'threads'):
@@ -125,7 +125,7 @@ class Shares(unittest.TestCase):
             if path in seen or not path.endswith(('.h', '.cpp', '.c')):
                 continue
             seen.add(path)
-            self.assertNotIn(os.path.relpath(path, tests).split(os.sep)[0], full.OF_FIRST_SHARE)
+            self.assertNotIn(os.path.relpath(path, tests).split(os.sep)[0], full.OF_FIRST_SHARES)
             with open(path, encoding='utf-8') as file:
                 of_others += [os.path.join(ROOT, line.split('"')[1]) for line in file if line.startswith('#include "tests/')]
 
