@@ -221,8 +221,10 @@ OF_FIRST_SHARES = ('cast', 'geometry', 'join', 'player')
 
 
 def sanitized_sources(seed):
-    without = (['cli'] if seed <= SHARES_OF_CPP else []) + (list(OF_FIRST_SHARES) if seed > FIRST_SHARES else [])
-    return SANITIZED_SOURCES + [f':(exclude)tests/{folder}' for folder in without]
+    without = [f'tests/{folder}' for folder in OF_FIRST_SHARES] if seed > FIRST_SHARES else []
+    if seed <= SHARES_OF_CPP:
+        without += ['cli', 'tests/cli']
+    return SANITIZED_SOURCES + [f':(exclude){folder}' for folder in without]
 
 
 def sanitized(seed, count):
