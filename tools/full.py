@@ -221,9 +221,9 @@ OF_FIRST_SHARES = ('cast', 'geometry', 'join', 'player')
 
 
 def sanitized_sources(seed):
-    without = [f'tests/{folder}' for folder in OF_FIRST_SHARES] if seed > FIRST_SHARES else []
+    without = ['cli'] if seed <= FIRST_SHARES else [f'tests/{folder}' for folder in OF_FIRST_SHARES]
     if seed <= SHARES_OF_CPP:
-        without += ['cli', 'tests/cli']
+        without.append('tests/cli')
     return SANITIZED_SOURCES + [f':(exclude){folder}' for folder in without]
 
 
