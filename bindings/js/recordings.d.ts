@@ -107,9 +107,10 @@ export interface Recordings extends Games {
     /**
      * The first touch of a set of spheres, which may turn on its way, with a world. Of one that does not turn it is that of
      * each sphere's own cast, the smallest fraction, then the lowest number; of one that turns it is at most 0.06 mm
-     * early, and at most 0.03 mm late, where an arc turns away from a face it has just begun to come nearer to. `room` of the options has to hold all of the set. Status 'invalid' as World.cast(), and for a rotation of
-     * zero or a turn beyond 2^20 radians; 'miss' for no sphere. Costs a look for what a sphere around all of it comes near;
-     * where that finds anything, a cast for each sphere, when turning one for each piece of its arc that comes near anything.
+     * early, and at most 0.03 mm late, where an arc turns away from a face it has just begun to come nearer to. `room` of
+     * the options has to hold all of the set. Status 'invalid' as World.cast(), and for a rotation of zero or a turn beyond
+     * 2^20 radians; 'miss' for no sphere. Costs a look for what a sphere around all of it comes near; where that finds
+     * anything, a cast for each sphere, when turning one for each piece of its arc that comes near anything.
      * @param spheres four numbers each: centre, radius >= 0, metres, in the frame that moves
      * @throws {FirmaError} TOO_LARGE for more than 4,096
      */
