@@ -39,8 +39,8 @@ private:
     std::size_t goal_ = 0;
 };
 
-/// The fire fight of levels/depot.map: the bridge's ends, the crane's, two pillars, crates, a wall of the hall; the
-/// player goes through that wall.
+/// The fire fight of levels/depot.map: the bridge's ends, the crane's, the hall's pillars, rubble, crates, a wall of
+/// the hall; the player goes through that wall.
 FightList depot_fight();
 
 /// A player who walks where there is room, fires at what it sees, and goes through the holes that come of it.
