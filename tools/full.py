@@ -8,7 +8,9 @@ so a run can be broken off and resumed, and lines gathered in several goes add u
 until such a file changes: more chunks cannot outvote it.
 """
 import datetime
+import glob
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -218,12 +220,37 @@ SHARES_OF_CPP = 10  # shares before the first of the command line
 # Folders of tests that of all these programs firma_tests and firma_boost_tests alone have, which are in the first shares.
 FIRST_SHARES = 9
 OF_FIRST_SHARES = ('cast', 'geometry', 'join', 'player')
+HEAVY_PARTS = 24  # the first programs: parts of tests/heavy_sanitized.txt, as tests/CMakeLists.txt cuts it
+
+
+def suites_of_share(seed):
+    """The test suites that a share runs; None where it runs more than parts of the list."""
+    if seed * HEAVY_SHARE > HEAVY_PARTS:
+        return None
+    with open(os.path.join(ROOT, 'tests', 'heavy_sanitized.txt'), encoding='utf-8') as lines:
+        tests = [line.strip() for line in lines if line.strip() and not line.startswith('#')]
+    first, end = ((seed - 1) * HEAVY_SHARE * len(tests) // HEAVY_PARTS, seed * HEAVY_SHARE * len(tests) // HEAVY_PARTS)
+    # Of parameterised ones Prefix/Suite.Test/0.
+    return {name.partition('.')[0].rpartition('/')[2] for name in tests[first:end]}
+
+
+def suites_by_source():
+    """Each source of firma_tests, with the suites that it has tests of, or makes of parameters."""
+    for path in sorted(glob.glob(os.path.join(ROOT, 'tests', '*', 'test_*.cpp'))):
+        with open(path, encoding='utf-8') as source:
+            text = source.read()
+        suites = set(re.findall(r'^(?:TEST|TYPED_TEST)\w*\(\s*(\w+)', text, re.M))
+        suites.update(re.findall(r'^INSTANTIATE\w*\(\s*\w+,\s*(\w+)', text, re.M))
+        yield os.path.relpath(path, ROOT), suites
 
 
 def sanitized_sources(seed):
     without = ['cli'] if seed <= FIRST_SHARES else [f'tests/{folder}' for folder in OF_FIRST_SHARES]
     if seed <= SHARES_OF_CPP:
         without.append('tests/cli')
+    suites = suites_of_share(seed)
+    if suites is not None:
+        without += [path for path, there in suites_by_source() if not there & suites]
     return SANITIZED_SOURCES + [f':(exclude){folder}' for folder in without]
 
 

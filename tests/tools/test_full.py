@@ -129,6 +129,22 @@ class Shares(unittest.TestCase):
             with open(path, encoding='utf-8') as file:
                 of_others += [os.path.join(ROOT, line.split('"')[1]) for line in file if line.startswith('#include "tests/')]
 
+    def test_each_share_of_the_list_sees_the_sources_of_its_tests(self):
+        full = load()
+        by_source = dict(full.suites_by_source())
+        shares = full.HEAVY_PARTS // full.HEAVY_SHARE
+        self.assertIsNone(full.suites_of_share(shares + 1))
+        in_list = set()
+        for seed in range(1, shares + 1):
+            suites = full.suites_of_share(seed)
+            seen = set().union(*(there for path, there in by_source.items() if f':(exclude){path}' not in full.sanitized_sources(seed)))
+            self.assertEqual(suites - seen, set())
+            self.assertLess(len(seen - suites), 200)  # not all of them: others of the same sources
+            in_list |= suites
+        with open(os.path.join(ROOT, 'tests', 'heavy_sanitized.txt'), encoding='utf-8') as lines:
+            names = [line.strip() for line in lines if not line.startswith('#')]
+        self.assertEqual(in_list, {name.partition('.')[0].rpartition('/')[2] for name in names})
+
 
 if __name__ == '__main__':
     unittest.main()
