@@ -62,8 +62,7 @@ PeerMesh mesh_of(const Solid& solid) {
             {cutter.triangles().begin(), cutter.triangles().end()}};
 }
 
-/// @param slow  V-HACD, too
-std::vector<Way> all_ways([[maybe_unused]] bool slow) {
+std::vector<Way> all_ways() {
     std::vector<Way> ways;
     ways.push_back({"exact", [](const Chunk& chunk, const PeerMesh&) { return firma_pieces(chunk, 0); }});
     for (const int centimetres : {1, 2, 5, 10})
@@ -86,17 +85,14 @@ std::vector<Way> all_ways([[maybe_unused]] bool slow) {
     return ways;
 }
 
-/// Of the first chunks.
-bool write_table(const char* name, const std::vector<Way>& ways, const DepotRubble& rubble,
-                 const std::vector<PeerMesh>& meshes, std::size_t chunks, const Settings& settings) {
-    std::printf("the first %zu chunks:\n", chunks);
-    Table table(name, {"way", "pieces", "median of a chunk", "most", "convex exactly", "ms", "worst ms",
-                       "hulls / chunk, volume"});
-    for (const Way& way : ways) {
+bool write_table(const DepotRubble& rubble, const std::vector<PeerMesh>& meshes, const Settings& settings) {
+    Table table("convex", {"way", "pieces", "median of a chunk", "most", "convex exactly", "ms", "worst ms",
+                           "hulls / chunk, volume"});
+    for (const Way& way : all_ways()) {
         std::vector<double> milliseconds, pieces;
         Made sum;
         double volume = 0;
-        for (std::size_t k = 0; k < chunks; ++k) {
+        for (std::size_t k = 0; k < meshes.size(); ++k) {
             const double before = thread_seconds();
             const Made made = way.run(rubble.chunks[k], meshes[k]);
             milliseconds.push_back((thread_seconds() - before) * 1e3);
@@ -126,11 +122,7 @@ int measure(const Settings& settings) {
         reflex += convex_pieces(chunk.solid, {.max_pieces = kMaxConvexPieces}).value().reflex_edges;
     }
     std::printf("%zu chunks of %zu faces, %zu reflex edges\n", rubble.chunks.size(), faces, reflex);
-    // V-HACD takes minutes for all of them.
-    const std::size_t few = std::min<std::size_t>(rubble.chunks.size(), 4);
-    const bool written = write_table("convex", all_ways(true), rubble, meshes, few, settings) &&
-                         write_table("convex_all", all_ways(false), rubble, meshes, rubble.chunks.size(), settings);
-    return written ? 0 : 1;
+    return write_table(rubble, meshes, settings) ? 0 : 1;
 }
 
 }  // namespace
