@@ -221,6 +221,7 @@ SHARES_OF_CPP = 10  # shares before the first of the command line
 FIRST_SHARES = 9
 OF_FIRST_SHARES = ('cast', 'geometry', 'join', 'player')
 HEAVY_PARTS = 24  # the first programs: parts of tests/heavy_sanitized.txt, as tests/CMakeLists.txt cuts it
+BEFORE_SCRIPTS = 31  # programs before the first that is a script of tests/cli; these follow in the order of its CMakeLists.txt
 
 
 def suites_of_share(seed):
@@ -244,10 +245,25 @@ def suites_by_source():
         yield os.path.relpath(path, ROOT), suites
 
 
+def scripts():
+    """The scripts that drive the command line, in the order of their programs."""
+    with open(os.path.join(ROOT, 'tests', 'cli', 'CMakeLists.txt'), encoding='utf-8') as lists:
+        names = re.search(r'^foreach\(name ([\w ]+)\)', lists.read(), re.M).group(1).split()
+    return [f'tests/cli/test_{name}.py' for name in names]
+
+
+def scripts_of_share(seed):
+    first, end = (max(0, k * HEAVY_SHARE - BEFORE_SCRIPTS) for k in (seed - 1, seed))
+    return scripts()[first:end]
+
+
 def sanitized_sources(seed):
     without = ['cli'] if seed <= FIRST_SHARES else [f'tests/{folder}' for folder in OF_FIRST_SHARES]
     if seed <= SHARES_OF_CPP:
         without.append('tests/cli')
+    else:
+        mine = scripts_of_share(seed)
+        without += [script for script in scripts() if script not in mine]
     suites = suites_of_share(seed)
     if suites is not None:
         without += [path for path, there in suites_by_source() if not there & suites]

@@ -4,6 +4,8 @@ import contextlib
 import importlib.util
 import io
 import os
+import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -146,6 +148,31 @@ class Shares(unittest.TestCase):
         self.assertEqual(in_list, {name.partition('.')[0].rpartition('/')[2] for name in names})
         with open(os.path.join(ROOT, 'tests', 'CMakeLists.txt'), encoding='utf-8') as lines:
             self.assertIn(f'foreach(part RANGE {full.HEAVY_PARTS - 1})', lines.read())
+
+    def test_each_share_of_the_command_line_sees_its_scripts(self):
+        full = load()
+        shares = full.HEAVY_PROGRAMS // full.HEAVY_SHARE
+        there = {f'tests/cli/{name}' for name in os.listdir(os.path.join(ROOT, 'tests', 'cli')) if re.fullmatch(r'test_\w+\.py', name)}
+        self.assertEqual(set(full.scripts()), there)
+        seen_by = {script: [] for script in there}
+        for seed in range(full.SHARES_OF_CPP + 1, shares + 1):
+            sources = full.sanitized_sources(seed)
+            for script in there:
+                if f':(exclude){script}' not in sources:
+                    seen_by[script].append(seed)
+        for place, script in enumerate(full.scripts()):
+            self.assertEqual(seen_by[script], [(full.BEFORE_SCRIPTS + place) // full.HEAVY_SHARE + 1], script)
+
+    def test_programs_are_in_the_order_that_shares_go_by(self):
+        full = load()
+        if not os.path.isfile(os.path.join(ROOT, 'build', 'sanitize', 'CTestTestfile.cmake')):
+            self.skipTest('build/sanitize is not configured')
+        told = subprocess.run(['ctest', '--preset', 'sanitize', '-N', '-L', 'heavy'], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+        programs = re.findall(r'^ *Test *#\d+: (\S+)', told, re.M)
+        self.assertEqual(len(programs), full.HEAVY_PROGRAMS)
+        self.assertEqual([name.startswith('firma_tests_heavy_') for name in programs], [k < full.HEAVY_PARTS for k in range(len(programs))])
+        names = [f'cli_{os.path.basename(script)[5:-3]}' for script in full.scripts()]
+        self.assertEqual(programs[full.BEFORE_SCRIPTS:full.BEFORE_SCRIPTS + len(names)], names)
 
 
 if __name__ == '__main__':
