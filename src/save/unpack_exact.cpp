@@ -67,7 +67,7 @@ private:
         const Unsigned128 offset = Unsigned128(read_u64(at + 32)) << 64 | read_u64(at + 24);
         const Plane plane = plane_of_numbers(normal, Int128(offset));
         if (!plane.valid()) return damage_.report(section.type(), k, "is no plane through points of the grid");
-        planes_.emplace_back(new SolidPlane(plane));
+        planes_.push_back(Ref<const SolidPlane>(new SolidPlane(plane)));
         return true;
     }
 
@@ -78,7 +78,7 @@ private:
             if (point[axis] < -kRimSteps || point[axis] >= kRimSteps)
                 return damage_.report(section.type(), k, "lies outside the world");
         }
-        vertices_.emplace_back(new SolidVertex(point));
+        vertices_.push_back(Ref<const SolidVertex>(new SolidVertex(point)));
         return true;
     }
 

@@ -133,7 +133,8 @@ private:
             const Plane plane = plane_of_numbers(normal, Int128(offset));
             if (!plane.valid())
                 return damage_.report(planes_.type(), planes_.taken() - 1, "is no plane through points of the grid");
-            made_.planes.emplace_back(new SolidPlane(plane));
+            made_.planes.push_back(
+                Ref<const SolidPlane>(new SolidPlane(plane)));  // held, where there is no room for it
         }
         const std::optional<GridBox> box = box_of_planes(made_.planes_of(piece));
         if (!box) return fault(k, "its planes do not enclose a volume in the world");

@@ -163,6 +163,40 @@ class Shares(unittest.TestCase):
         for place, script in enumerate(full.scripts()):
             self.assertEqual(seen_by[script], [(full.BEFORE_SCRIPTS + place) // full.HEAVY_SHARE + 1], script)
 
+    def test_what_saves_worlds_is_reached_by_its_headers_alone(self):
+        """So a test that sees none of them, through whatever it includes, runs nothing of these folders."""
+        full = load()
+        others = set()
+        for folder, _, names in os.walk(os.path.join(ROOT, 'src')):
+            for name in names:
+                path = os.path.relpath(os.path.join(folder, name), ROOT)
+                with open(os.path.join(ROOT, path), encoding='utf-8') as source:
+                    if not path.startswith(full.SAVES) and full.REACHES_SAVES.search(source.read()):
+                        others.add(path)
+        # The one is read_world(), the other implements write_obj(), which save.h declares.
+        self.assertEqual(others, {'src/brush/read_brush_level.cpp', 'src/level/write_obj.cpp'})
+        with open(os.path.join(ROOT, 'src', 'level', 'write_obj.cpp'), encoding='utf-8') as source:
+            self.assertNotRegex(source.read(), r'(pack|unpack|save|load)_world\(')
+        with open(os.path.join(ROOT, 'src', 'brush', 'read_brush_level.cpp'), encoding='utf-8') as source:
+            self.assertEqual(len(re.findall(r'(?:pack|unpack|save|load)_world\(', source.read())), 1)
+
+    def test_shares_that_do_not_lapse_with_it(self):
+        full = load()
+        of_others = ['tests/carve/test_carve_no_memory.cpp', 'tests/world/test_cast_touches_nothing.cpp']
+        with open(os.path.join(ROOT, 'tests', 'boost_tests.txt'), encoding='utf-8') as lines:
+            of_others += [f'tests/{line.strip()}' for line in lines if line.strip() and not line.startswith('#')]
+        self.assertEqual([path for path in of_others if full.reaches_saves(path)], [])
+        apart = full.tests_that_reach_saves()
+        self.assertGreater(len(apart), 50)
+        told = [test for seed in range(1, full.SAVES_SHARES + 1) for test in full.sanitized_saves(seed, 1)[2].split(':')]
+        self.assertEqual(sorted(told), sorted(apart))
+        for seed in range(1, full.HEAVY_PROGRAMS // full.HEAVY_SHARE + 1):
+            self.assertEqual('src/save' in full.SAVES and ':(exclude)src/save' in full.sanitized_sources(seed), seed <= full.FIRST_SHARES)
+        # Through headers, through what they are implemented in, and by a call.
+        for path in ('tests/save/test_save_world.cpp', 'tests/solid/test_solid.cpp', 'tests/body/test_energy.cpp'):
+            self.assertTrue(full.reaches_saves(path), path)
+        self.assertFalse(full.reaches_saves('tests/player/test_player_worlds.cpp'))
+
     def test_programs_are_in_the_order_that_shares_go_by(self):
         full = load()
         made = os.path.join(ROOT, 'build', 'sanitize', 'build.ninja')
