@@ -115,7 +115,7 @@ class Shares(unittest.TestCase):
         """Of firma_tests alone: no source of another test program includes a header of these folders, by whatever way."""
         full = load()
         tests = os.path.join(ROOT, 'tests')
-        for folder in full.OF_FIRST_SHARES:
+        for folder in full.shares.OF_FIRST_SHARES:
             self.assertTrue(os.path.isdir(os.path.join(tests, folder)), folder)
         of_others = [os.path.join(tests, 'world', 'test_cast_touches_nothing.cpp'), os.path.join(tests, 'carve', 'test_carve_no_memory.cpp')]
         for folder in ('bullet', 'c', 'cli', 'draw', 'gltf', 'threads'):
@@ -127,18 +127,18 @@ class Shares(unittest.TestCase):
             if path in seen or not path.endswith(('.h', '.cpp', '.c')):
                 continue
             seen.add(path)
-            self.assertNotIn(os.path.relpath(path, tests).split(os.sep)[0], full.OF_FIRST_SHARES)
+            self.assertNotIn(os.path.relpath(path, tests).split(os.sep)[0], full.shares.OF_FIRST_SHARES)
             with open(path, encoding='utf-8') as file:
                 of_others += [os.path.join(ROOT, line.split('"')[1]) for line in file if line.startswith('#include "tests/')]
 
     def test_each_share_of_the_list_sees_the_sources_of_its_tests(self):
         full = load()
-        by_source = dict(full.suites_by_source())
-        shares = full.HEAVY_PARTS // full.HEAVY_SHARE
-        self.assertIsNone(full.suites_of_share(shares + 1))
+        by_source = dict(full.shares.suites_by_source())
+        shares = full.shares.HEAVY_PARTS // full.shares.HEAVY_SHARE
+        self.assertIsNone(full.shares.suites_of_share(shares + 1))
         in_list = set()
         for seed in range(1, shares + 1):
-            suites, sources = full.suites_of_share(seed), full.sanitized_sources(seed)
+            suites, sources = full.shares.suites_of_share(seed), full.shares.sanitized_sources(seed)
             seen = {path: there for path, there in by_source.items() if f':(exclude){path}' not in sources}
             self.assertEqual(suites - set().union(*seen.values()), set())
             self.assertEqual([path for path, there in seen.items() if not there & suites], [])
@@ -147,21 +147,21 @@ class Shares(unittest.TestCase):
             names = [line.strip() for line in lines if not line.startswith('#')]
         self.assertEqual(in_list, {name.partition('.')[0].rpartition('/')[2] for name in names})
         with open(os.path.join(ROOT, 'tests', 'CMakeLists.txt'), encoding='utf-8') as lines:
-            self.assertIn(f'foreach(part RANGE {full.HEAVY_PARTS - 1})', lines.read())
+            self.assertIn(f'foreach(part RANGE {full.shares.HEAVY_PARTS - 1})', lines.read())
 
     def test_each_share_of_the_command_line_sees_its_scripts(self):
         full = load()
-        shares = full.HEAVY_PROGRAMS // full.HEAVY_SHARE
+        shares = full.shares.HEAVY_PROGRAMS // full.shares.HEAVY_SHARE
         there = {f'tests/cli/{name}' for name in os.listdir(os.path.join(ROOT, 'tests', 'cli')) if re.fullmatch(r'test_\w+\.py', name)}
-        self.assertEqual(set(full.scripts()), there)
+        self.assertEqual(set(full.shares.scripts()), there)
         seen_by = {script: [] for script in there}
-        for seed in range(full.SHARES_OF_CPP + 1, shares + 1):
-            sources = full.sanitized_sources(seed)
+        for seed in range(full.shares.SHARES_OF_CPP + 1, shares + 1):
+            sources = full.shares.sanitized_sources(seed)
             for script in there:
                 if f':(exclude){script}' not in sources:
                     seen_by[script].append(seed)
-        for place, script in enumerate(full.scripts()):
-            self.assertEqual(seen_by[script], [(full.BEFORE_SCRIPTS + place) // full.HEAVY_SHARE + 1], script)
+        for place, script in enumerate(full.shares.scripts()):
+            self.assertEqual(seen_by[script], [(full.shares.BEFORE_SCRIPTS + place) // full.shares.HEAVY_SHARE + 1], script)
 
     def test_what_saves_worlds_is_reached_by_its_headers_alone(self):
         """So a test that sees none of them, through whatever it includes, runs nothing of these folders."""
@@ -171,7 +171,7 @@ class Shares(unittest.TestCase):
             for name in names:
                 path = os.path.relpath(os.path.join(folder, name), ROOT)
                 with open(os.path.join(ROOT, path), encoding='utf-8') as source:
-                    if not path.startswith(full.SAVES) and full.REACHES_SAVES.search(source.read()):
+                    if not path.startswith(full.shares.SAVES) and full.shares.REACHES_SAVES.search(source.read()):
                         others.add(path)
         # The one is read_world(), the other implements write_obj(), which save.h declares.
         self.assertEqual(others, {'src/brush/read_brush_level.cpp', 'src/level/write_obj.cpp'})
@@ -185,17 +185,18 @@ class Shares(unittest.TestCase):
         of_others = ['tests/carve/test_carve_no_memory.cpp', 'tests/world/test_cast_touches_nothing.cpp']
         with open(os.path.join(ROOT, 'tests', 'boost_tests.txt'), encoding='utf-8') as lines:
             of_others += [f'tests/{line.strip()}' for line in lines if line.strip() and not line.startswith('#')]
-        self.assertEqual([path for path in of_others if full.reaches_saves(path)], [])
-        apart = full.tests_that_reach_saves()
+        self.assertEqual([path for path in of_others if full.shares.reaches_saves(path)], [])
+        apart = full.shares.tests_that_reach_saves()
         self.assertGreater(len(apart), 50)
-        told = [test for seed in range(1, full.SAVES_SHARES + 1) for test in full.sanitized_saves(seed, 1)[2].split(':')]
+        told = [test for seed in range(1, full.shares.SAVES_SHARES + 1) for test in full.sanitized_saves(seed, 1)[2].split(':')]
         self.assertEqual(sorted(told), sorted(apart))
-        for seed in range(1, full.HEAVY_PROGRAMS // full.HEAVY_SHARE + 1):
-            self.assertEqual('src/save' in full.SAVES and ':(exclude)src/save' in full.sanitized_sources(seed), seed <= full.FIRST_SHARES)
+        for seed in range(1, full.shares.HEAVY_PROGRAMS // full.shares.HEAVY_SHARE + 1):
+            for folder in full.shares.SAVES:
+                self.assertEqual(f':(exclude){folder}' in full.shares.sanitized_sources(seed), seed <= full.shares.FIRST_SHARES, (seed, folder))
         # Through headers, through what they are implemented in, and by a call.
         for path in ('tests/save/test_save_world.cpp', 'tests/solid/test_solid.cpp', 'tests/body/test_energy.cpp'):
-            self.assertTrue(full.reaches_saves(path), path)
-        self.assertFalse(full.reaches_saves('tests/player/test_player_worlds.cpp'))
+            self.assertTrue(full.shares.reaches_saves(path), path)
+        self.assertFalse(full.shares.reaches_saves('tests/player/test_player_worlds.cpp'))
 
     def test_programs_are_in_the_order_that_shares_go_by(self):
         full = load()
@@ -205,10 +206,10 @@ class Shares(unittest.TestCase):
             self.skipTest('build/sanitize is not configured, or not since its lists changed')
         told = subprocess.run(['ctest', '--preset', 'sanitize', '-N', '-L', 'heavy'], cwd=ROOT, check=True, capture_output=True, text=True).stdout
         programs = re.findall(r'^ *Test *#\d+: (\S+)', told, re.M)
-        self.assertEqual(len(programs), full.HEAVY_PROGRAMS)
-        self.assertEqual([name.startswith('firma_tests_heavy_') for name in programs], [k < full.HEAVY_PARTS for k in range(len(programs))])
-        names = [f'cli_{os.path.basename(script)[5:-3]}' for script in full.scripts()]
-        self.assertEqual(programs[full.BEFORE_SCRIPTS:full.BEFORE_SCRIPTS + len(names)], names)
+        self.assertEqual(len(programs), full.shares.HEAVY_PROGRAMS)
+        self.assertEqual([name.startswith('firma_tests_heavy_') for name in programs], [k < full.shares.HEAVY_PARTS for k in range(len(programs))])
+        names = [f'cli_{os.path.basename(script)[5:-3]}' for script in full.shares.scripts()]
+        self.assertEqual(programs[full.shares.BEFORE_SCRIPTS:full.shares.BEFORE_SCRIPTS + len(names)], names)
 
 
 if __name__ == '__main__':
